@@ -48,7 +48,7 @@ typedef struct clod_clumps {
  * @param bonds  of this moment
  * @return       false on all ranks alike
  * Errors  CLOD_FAILED: memory.   Threads  one of each rank, all at the same time.
- * Test    tests/measure/test_clumps.c, tests/step/test_ranks_clumps.c
+ * Test    tests/measure/test_clumps.c, test_clumps_ranks.c, tests/step/test_ranks_clumps.c
  */
 bool clod_clumps_find(clod_clumps *self, const clod_survey_part *here, const clod_bonds *bonds,
                       const clod_clump_choice *choice, clod_status *status);

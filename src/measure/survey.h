@@ -19,7 +19,11 @@ typedef struct clod_survey_part {
     const clod_state *state;             ///< own rows, and ghosts of other ranks' grains
     const clod_contact_source *contacts; ///< all that own grains have; NULL: none
     const int32_t *owner;                ///< [grains] rank of each row; NULL: all are own
-    clod_ranks *ranks; ///< that make the same sums at this moment; NULL: with no owners
+    // where other ranks make the same sums at this moment; else NULL, with no owners
+    clod_ranks *ranks;
+    /** Rows of ghosts, in a column of up to 72 bytes a row, become those of their owners. */
+    void (*share)(const void *context, void *column, size_t size);
+    const void *context;
 } clod_survey_part;
 
 /** Whether a row counts here. A contact counts where its first grain does. Threads: pure. */
@@ -45,6 +49,7 @@ typedef enum clod_survey_kind {
     CLOD_SURVEY_STOCK,        ///< stock.c
     CLOD_SURVEY_STRENGTH,     ///< strength_grid.c
     CLOD_SURVEY_CLUMPS,       ///< clumps_look.c
+    CLOD_SURVEY_RESTING,      ///< resting_mass.c
     CLOD_SURVEY_REPOSE,       ///< repose.c: the surface
     CLOD_SURVEY_REPOSE_CENTER ///< repose.c
 } clod_survey_kind;

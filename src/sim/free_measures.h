@@ -27,7 +27,6 @@ typedef struct clod_free_moment {
     clod_state *state;         ///< a measure changes only what is its own, or asks for changes
     const clod_survey *survey; ///< of the bed at this moment; NULL in sight, report and json
     const clod_measure_motion *motion; ///< of the bed, in row; else NULL
-    bool row;                          ///< in sight: a row may be due
     clod_steady_time steady;           ///< of this run: all means are those over it
 } clod_free_moment;
 
@@ -50,7 +49,7 @@ typedef struct clod_free_measure {
     void (*begin)(void *memory, const clod_case *from, const clod_state *state,
                   const clod_free_start *bed);
     /** What of the bed must be in the state, and not only in the survey's sums, to act at this step,
-     *  or for a row where one may be due, into `sees`. NULL: nothing of it. */
+     *  into `sees`. NULL: nothing of it. */
     void (*sight)(const void *memory, const clod_free_moment *now, clod_sight *sees);
     /** Before every plan, at steps of its own: once for a step, however often it is called. */
     bool (*act)(void *memory, const clod_free_moment *now, clod_status *status);

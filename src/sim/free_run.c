@@ -65,10 +65,8 @@ static int64_t free_plan(const void *data, const void *context, const clod_state
 static void free_sight(const void *data, const void *context, const clod_state *state,
                        clod_sight *sees)
 {
-    const free_data *self = data;
     clod_state *seen = (clod_state *)state; // a moment may change it; nobody does here
-    clod_free_moment now = moment_of(data, context, seen, NULL);
-    now.row = clod_free_stages_may_end(&self->at, context, state);
+    const clod_free_moment now = moment_of(data, context, seen, NULL);
     clod_free_measures_sight(measures_of(data, context), &now, sees);
 }
 

@@ -2,30 +2,19 @@
 // the whole graph, and the bits of one process.
 #include "measure/clumps.h"
 
-#include <string.h>
+#include "support/dealt_graph.h"
 
-#include "base/assert.h"
-#include "support/contact_graph.h"
-#include "support/dice.h"
-#include "support/ranks_threads.h"
+#define MANY DEALT_GRAINS
 
-#define MANY 300
-#define RANKS 7
-
-/** What is dealt, and what comes of it. */
-typedef struct dealt {
-    contact_graph whole;
-    int32_t owner[MANY];
+/** A graph, and what comes of it. */
+typedef struct clumped_graph {
+    dealt_graph graph;
     clod_clump_choice choice;
-    // each rank
-    contact_graph part[RANKS];
-    int32_t row[RANKS][MANY];        ///< of the whole graph
-    int32_t owner_here[RANKS][MANY]; ///< of each row
-    clod_clump_name name[MANY];      ///< by row of the whole graph
-    clod_clumps clumps;              ///< of rank 0
+    clod_clump_name name[MANY]; ///< by row of the whole graph
+    clod_clumps clumps;         ///< of rank 0
     clod_clump_stats stats;
     clod_clump_sizes sizes;
-} dealt;
+} clumped_graph;
 
 // ---- graphs
 
@@ -94,9 +83,9 @@ static bool joins(const contact_graph *graph, const clod_contact *c, const bool 
 }
 
 /** Which grains are in the region: the domain has period 1 along x, from 0. */
-static void find_in(const dealt *self, bool in[MANY])
+static void find_in(const clumped_graph *self, bool in[MANY])
 {
-    const clod_grains *grains = &self->whole.state.grains;
+    const clod_grains *grains = &self->graph.whole.state.grains;
     for (int g = 0; g < MANY; g++) {
         const double *p = grains->position[g];
         const double x = p[0] < 0.0 ? p[0] + 1.0 : p[0] >= 1.0 ? p[0] - 1.0 : p[0];
@@ -134,32 +123,32 @@ static bool touches_wall(const contact_graph *graph, int row)
 }
 
 /** Compare with what is found; how many clumps there are. */
-static size_t check_by_hand(const dealt *self)
+static size_t check_by_hand(const clumped_graph *self)
 {
     bool in[MANY];
     uint64_t label[MANY];
     size_t clumps = 0;
     double counted = 0.0;
     find_in(self, in);
-    spread_labels(&self->whole, in, label);
+    spread_labels(&self->graph.whole, in, label);
     for (int g = 0; g < MANY; g++) {
         int together = 0;
         bool walled = false;
         double mass = 0.0, volume = 0.0;
         for (int other = 0; other < MANY; other++) {
             if (in[g] && in[other] && label[other] == label[g]) {
-                const double r = self->whole.state.grains.position[other][3];
+                const double r = self->graph.whole.state.grains.position[other][3];
                 together++;
-                walled = walled || touches_wall(&self->whole, other);
-                mass += self->whole.state.grains.velocity[other][3];
+                walled = walled || touches_wall(&self->graph.whole, other);
+                mass += self->graph.whole.state.grains.velocity[other][3];
                 volume += 4.0 / 3.0 * M_PI * r * r * r;
             }
         }
         const bool clump = together >= self->choice.least && !(self->choice.free && walled);
-        counted += in[g] ? self->whole.state.grains.velocity[g][3] : 0.0;
+        counted += in[g] ? self->graph.whole.state.grains.velocity[g][3] : 0.0;
         assert_int_equal(self->name[g].grains, clump ? together : 0);
         assert_int_equal(self->name[g].id, clump ? label[g] : 0);
-        if (clump && self->whole.state.grains.id[g] == label[g]) { // its first grain
+        if (clump && self->graph.whole.state.grains.id[g] == label[g]) { // its first grain
             size_t k = 0;
             while (k < self->clumps.count && self->clumps.clump[k].id != label[g]) {
                 k++;
@@ -181,45 +170,8 @@ static size_t check_by_hand(const dealt *self)
 
 // ---- ranks
 
-/** Own grains of a rank and their partners, and all contacts of own ones. */
-static void deal(dealt *self, int rank)
-{
-    contact_graph *part = &self->part[rank];
-    const clod_state *whole = &self->whole.state;
-    int32_t to[MANY];
-    bool here[MANY];
-    for (int g = 0; g < MANY; g++) {
-        here[g] = self->owner[g] == rank;
-    }
-    for (size_t k = 0; k < whole->contact_count; k++) {
-        const clod_contact *c = &whole->contacts[k];
-        if (c->shape < 0 && (self->owner[c->i] == rank || self->owner[c->j] == rank)) {
-            here[c->i] = here[c->j] = true;
-        }
-    }
-    graph_init(part, 3 * MANY);
-    part->state.domain = whole->domain;
-    for (int g = 0; g < MANY; g++) {
-        if (here[g]) {
-            const double *p = whole->grains.position[g];
-            to[g] = graph_grain(part, whole->grains.id[g], p[0], p[2], p[3]);
-            self->row[rank][to[g]] = g;
-            self->owner_here[rank][to[g]] = self->owner[g];
-        }
-    }
-    for (size_t k = 0; k < whole->contact_count; k++) {
-        clod_contact c = whole->contacts[k];
-        if (self->owner[c.i] == rank || (c.shape < 0 && self->owner[c.j] == rank)) {
-            c.i = to[c.i];
-            c.j = c.shape < 0 ? to[c.j] : c.j;
-            part->state.contacts[part->state.contact_count++] = c;
-            part->state.wall_contact_count += c.shape >= 0;
-        }
-    }
-}
-
 /** Find them in what is here; asserts of cmocka are for the first thread alone. */
-static void find(dealt *self, const clod_survey_part *here, const int32_t *row)
+static void find(clumped_graph *self, const clod_survey_part *here, const int32_t *row)
 {
     clod_status status;
     clod_bonds bonds;
@@ -244,15 +196,14 @@ static void find(dealt *self, const clod_survey_part *here, const int32_t *row)
 
 static void find_on(clod_ranks *ranks, void *context)
 {
-    dealt *self = context;
-    contact_graph *part = &self->part[ranks->rank];
-    const clod_survey_part here = {&part->state, &part->contacts, self->owner_here[ranks->rank],
-                                   ranks};
-    find(self, &here, self->row[ranks->rank]);
+    clumped_graph *self = context;
+    const dealt_rank rank = {&self->graph, ranks};
+    const clod_survey_part here = dealt_here(&rank);
+    find(self, &here, self->graph.row[ranks->rank]);
 }
 
 /** The same bytes as of one process. */
-static void check_same(const dealt *self, const dealt *one)
+static void check_same(const clumped_graph *self, const clumped_graph *one)
 {
     assert_memory_equal(&self->stats, &one->stats, sizeof one->stats);
     assert_memory_equal(&self->sizes, &one->sizes, sizeof one->sizes);
@@ -262,23 +213,6 @@ static void check_same(const dealt *self, const dealt *one)
         assert_true(a->id == b->id && a->grains == b->grains);
         assert_memory_equal(&a->mass, &b->mass, 2 * sizeof(double));
     }
-}
-
-/** How grains are dealt. */
-typedef enum dealing {
-    ANYHOW,    ///< most bonds are across ranks
-    IN_TURN,   ///< one row to each rank: a chain crosses at every bond
-    IN_SLICES, ///< runs of rows: a chain crosses where a run ends
-    TO_TWO,    ///< other ranks have none
-    DEALINGS
-} dealing;
-
-static int32_t owner_of(dealing how, int row, int ranks, dice *roll)
-{
-    return how == ANYHOW      ? dice_pick(roll, ranks)
-           : how == IN_TURN   ? row % ranks
-           : how == IN_SLICES ? row * ranks / MANY
-                              : (ranks - 1) * (row / 5 % 2);
 }
 
 /** All choices. */
@@ -295,39 +229,31 @@ static const clod_clump_choice CHOICE[] = {
 static void compare(void (*make)(contact_graph *graph, uint64_t seed), uint64_t seed)
 {
     static const int SIZE[] = {1, 2, 3, 4, 7};
-    static dealt one, several;
+    static clumped_graph one, several;
     for (size_t c = 0; c < sizeof CHOICE / sizeof *CHOICE; c++) {
         memset(&one, 0, sizeof one);
-        make(&one.whole, seed);
-        clod_domain *domain = &one.whole.state.domain;
+        make(&one.graph.whole, seed);
+        clod_domain *domain = &one.graph.whole.state.domain;
         domain->periodic[0] = true;
         domain->max[0] = 1.0;
         one.choice = CHOICE[c];
-        const clod_survey_part all = {.state = &one.whole.state,
-                                      .contacts = &one.whole.contacts};
+        const clod_survey_part all = {.state = &one.graph.whole.state,
+                                      .contacts = &one.graph.whole.contacts};
         find(&one, &all, NULL);
         assert_true(check_by_hand(&one) > 3);
         for (int n = 0; n < 5 * DEALINGS; n++) {
-            dice roll = {seed + (uint64_t)n};
-            const int ranks = SIZE[n / DEALINGS];
             several = one;
             memset(several.name, -1, sizeof several.name);
-            for (int g = 0; g < MANY; g++) {
-                several.owner[g] = owner_of((dealing)(n % DEALINGS), g, ranks, &roll);
-            }
-            for (int r = 0; r < ranks; r++) {
-                deal(&several, r);
-            }
+            const int ranks = SIZE[n / DEALINGS];
+            dealt_begin(&several.graph, (dealing)(n % DEALINGS), ranks, seed + (uint64_t)n);
             ranks_run(ranks, find_on, &several);
             check_by_hand(&several);
             check_same(&several, &one);
             clod_clumps_fini(&several.clumps);
-            for (int r = 0; r < ranks; r++) {
-                graph_fini(&several.part[r]);
-            }
+            dealt_end(&several.graph);
         }
         clod_clumps_fini(&one.clumps);
-        graph_fini(&one.whole);
+        graph_fini(&one.graph.whole);
     }
 }
 
@@ -351,18 +277,17 @@ static void chains_through_all_ranks(void **state)
 static void nobody(void **state)
 {
     (void)state;
-    static dealt none;
+    static clumped_graph none;
     for (int r = 0; r < 3; r++) {
-        graph_init(&none.part[r], 1);
+        graph_init(&none.graph.part[r], 1);
     }
+    none.graph.ranks = 3;
     none.choice = CHOICE[0];
     ranks_run(3, find_on, &none);
     assert_int_equal(none.clumps.count, 0);
     assert_true(none.stats.number == 0.0 && none.clumps.grains_mass == 0.0);
     clod_clumps_fini(&none.clumps);
-    for (int r = 0; r < 3; r++) {
-        graph_fini(&none.part[r]);
-    }
+    dealt_end(&none.graph);
 }
 
 int main(void)

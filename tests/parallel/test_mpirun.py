@@ -66,6 +66,7 @@ class Mpirun(clod.Case):
         self.assertGreater(last["gauge_all.grains"], 10)
         self.assertGreater(last["clumps.grains"], 10)
         self.assertGreater(last["clumps_low.grains"], 2)
+        self.assertGreater(last["belt.resting_mass"], 0)
 
     def test_groups_in_layers(self):
         self.assert_same_on((2, 3, 7), LAYERS)
