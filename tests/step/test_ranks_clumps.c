@@ -81,7 +81,22 @@ static void see_grains(scene *s, told *to)
     memcpy(to->left, s->state.exchange.left_clumps, sizeof to->left);
 }
 
-/** Looks between steps; before the last one adhesion ends, after a picture that nobody counts. */
+/** A picture of grains without adhesion, which then go to their ranks anew: they are in no clump, but no
+ *  look that follows has seen that. */
+static void dry(scene *s, clod_clumps_seen *seen)
+{
+    clod_status status = {0};
+    clod_clumps_look picture = LOOK;
+    picture.follows = false;
+    picture.choices = 1;
+    s->state.adhesion = 0.0;
+    clod_laws_set_adhesion(&s->laws, s->state.adhesion);
+    look(&s->step, &picture, seen);
+    assert_true(clod_step_see(&s->step, &status) && clod_step_renew(&s->step, &status));
+    scene_run(s, 1);
+}
+
+/** Looks between steps; before the last one adhesion ends. */
 static void run_bed(void *context, clod_ranks *ranks)
 {
     const clumped_bed *how = context;
@@ -91,12 +106,7 @@ static void run_bed(void *context, clod_ranks *ranks)
         told *to = &how->to[k];
         scene_run(&s, 700 + k);
         if (k == LOOKS - 1) {
-            clod_clumps_look picture = LOOK;
-            picture.follows = false;
-            picture.choices = 1;
-            look(&s.step, &picture, &to->seen);
-            s.state.adhesion = 0.0;
-            clod_laws_set_adhesion(&s.laws, s.state.adhesion);
+            dry(&s, &to->seen);
         }
         look(&s.step, &LOOK, &to->seen);
         assert_true(ranks == NULL || s.step.crew->stale); // nothing was gathered

@@ -67,8 +67,10 @@ static inline void dealt_part(dealt_graph *self, int rank)
         if (here[g]) {
             const double *p = whole->grains.position[g];
             to[g] = graph_grain(part, whole->grains.id[g], p[0], p[2], p[3]);
-            memcpy(part->state.grains.velocity[to[g]], whole->grains.velocity[g],
-                   sizeof *whole->grains.velocity);
+            if (self->owner[g] == rank) { // that of a ghost is of another moment
+                memcpy(part->state.grains.velocity[to[g]], whole->grains.velocity[g],
+                       sizeof *whole->grains.velocity);
+            }
             self->row[rank][to[g]] = g;
             self->owner_here[rank][to[g]] = self->owner[g];
         }
