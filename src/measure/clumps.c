@@ -1,139 +1,82 @@
 #include "measure/clumps.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/memory.h"
+#include "measure/clumps_join.h"
 
-#define AT_A_TIME 256 // contacts
+/** What is known of a row. */
+enum {
+    COUNTS = 1,  ///< it is in the region, if there is one
+    BETWEEN = 2, ///< the first by id of a bond across ranks
+    OPEN = 4,    ///< of a root: some of its tree is
+    WALLED = 8   ///< of a root: an own grain of its tree touches a wall
+};
 
-static bool lacks_memory(clod_status *status, size_t grains)
-{
-    return clod_status_fail(status, CLOD_FAILED, "no memory for the clumps of %zu grains",
-                            grains);
-}
-
-// ---- bonds
-
-static bool add_bond(clod_bonds *self, const clod_contact *contact)
-{
-    if (self->count == self->room) {
-        const size_t room = self->room + self->room / 2 + AT_A_TIME;
-        void *bond = clod_memory_grow(self->bond, self->room, room, sizeof *self->bond);
-        if (bond == NULL) {
-            return false;
-        }
-        self->bond = bond;
-        self->room = room;
-    }
-    self->bond[self->count++] = (clod_bond){contact->i, contact->j};
-    return true;
-}
-
-/** Bonds and touched walls of all contacts; `weight` is N for each kg. */
-static bool read_contacts(clod_bonds *self, const clod_state *state,
-                          const clod_contact_source *contacts, double weight)
-{
-    clod_contact some[AT_A_TIME];
-    size_t pairs, walls, count;
-    bool good = true;
-    contacts->begin(contacts->context, &pairs, &walls);
-    do {
-        count = contacts->next(contacts->context, some, AT_A_TIME);
-        for (size_t k = 0; good && k < count; k++) {
-            if (some[k].shape >= 0) {
-                self->on_wall[some[k].i] = true;
-            } else if (contacts->strength != NULL) {
-                const double *a = state->grains.velocity[some[k].i];
-                const double *b = state->grains.velocity[some[k].j];
-                const double pull = contacts->strength(contacts->laws, &some[k]).pull_off;
-                good = !(pull > weight * fmin(a[3], b[3])) || add_bond(self, &some[k]);
-            }
-        }
-    } while (good && count == AT_A_TIME);
-    return good;
-}
-
-bool clod_bonds_find(clod_bonds *self, const clod_state *state,
-                     const clod_contact_source *contacts, double number, clod_status *status)
-{
-    *self = (clod_bonds){0};
-    const double *g = state->gravity;
-    const double weight = number * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    self->on_wall = clod_memory_alloc(state->grains.count + 1, sizeof *self->on_wall);
-    if (!clod_ids_init(&self->ids, state->grains.id, state->grains.count, status)) {
-        return false;
-    }
-    return (self->on_wall != NULL && read_contacts(self, state, contacts, weight)) ||
-           lacks_memory(status, state->grains.count);
-}
-
-void clod_bonds_fini(clod_bonds *self)
-{
-    clod_memory_free(self->bond);
-    clod_memory_free(self->on_wall);
-    clod_ids_fini(&self->ids);
-    *self = (clod_bonds){0};
-}
-
-// ---- clumps
-
-/** Grains that hang together, as a tree over each grain's index in the order of ids: its root is the
- *  first of them. */
+/** Rows that hang together, as trees: each is below a row before it, or a root. */
 typedef struct forest {
-    int32_t *above; ///< [grains] index of a grain before it in its tree; its own: a root
-    int32_t *size;  ///< [grains] of the tree of a root
-    int32_t *clump; ///< [grains] number of the clump of a root; -1: none
-    bool *walled;   ///< [grains] whether any of the tree of a root touches a wall
-    bool *in;       ///< [grains] whether it counts
-    int32_t *index; ///< [grains] of each row
+    const clod_survey_part *here;
+    const clod_bonds *bonds;
+    int32_t *above; ///< [rows] a row before it in its tree; its own: a root
+    int32_t *size;  ///< [rows] of a root: own grains of its tree that count
+    int32_t *part;  ///< [rows] of a root: number of its part; -1: it is no clump
+    uint8_t *is;    ///< [rows]
+    clod_clump_parts parts;
+    clod_clump_units units;
+    clod_clump_sum mass; ///< of all own grains that count
 } forest;
 
 static void forest_fini(forest *self)
 {
     clod_memory_free(self->above);
     clod_memory_free(self->size);
-    clod_memory_free(self->clump);
-    clod_memory_free(self->walled);
-    clod_memory_free(self->in);
-    clod_memory_free(self->index);
+    clod_memory_free(self->part);
+    clod_memory_free(self->is);
+    clod_memory_free(self->parts.part);
+    clod_memory_free(self->parts.link);
 }
 
-static bool forest_init(forest *self, const clod_state *state, const clod_bonds *bonds,
-                        const clod_outlet *region)
+static double volume_of(double radius)
 {
+    return 4.0 / 3.0 * M_PI * radius * radius * radius;
+}
+
+/** Every row by itself; false without memory. */
+static bool forest_init(forest *self, const clod_survey_part *here, const clod_bonds *bonds,
+                        const clod_clump_choice *choice)
+{
+    const clod_state *state = here->state;
     const size_t n = state->grains.count;
-    *self = (forest){.above = clod_memory_alloc(n + 1, sizeof *self->above),
+    *self = (forest){.here = here,
+                     .bonds = bonds,
+                     .above = clod_memory_alloc(n + 1, sizeof *self->above),
                      .size = clod_memory_alloc(n + 1, sizeof *self->size),
-                     .clump = clod_memory_alloc(n + 1, sizeof *self->clump),
-                     .walled = clod_memory_alloc(n + 1, sizeof *self->walled),
-                     .in = clod_memory_alloc(n + 1, sizeof *self->in),
-                     .index = clod_memory_alloc(n + 1, sizeof *self->index)};
-    if (self->above == NULL || self->size == NULL || self->clump == NULL ||
-        self->walled == NULL || self->in == NULL || self->index == NULL) {
+                     .part = clod_memory_alloc(n + 1, sizeof *self->part),
+                     .is = clod_memory_alloc(n + 1, sizeof *self->is),
+                     .units = {clod_clump_sum_unit(bonds->largest_mass),
+                               clod_clump_sum_unit(volume_of(bonds->largest_radius))}};
+    if (self->above == NULL || self->size == NULL || self->part == NULL || self->is == NULL) {
         return false;
     }
-    for (size_t k = 0; k < n; k++) {
-        const size_t row = bonds->ids.item[k].index;
-        self->above[k] = (int32_t)k;
-        self->clump[k] = -1;
-        self->index[row] = (int32_t)k;
+    for (size_t g = 0; g < n; g++) { // a ghost is where its owner has it: both see the same
         double place[4];
-        clod_domain_place(&state->domain, state->grains.position[row], place);
-        self->in[k] = region == NULL || clod_outlet_has(region, place);
+        clod_domain_place(&state->domain, state->grains.position[g], place);
+        self->above[g] = (int32_t)g;
+        self->part[g] = -1;
+        self->is[g] = !choice->cuts || clod_outlet_has(&choice->region, place) ? COUNTS : 0;
     }
     return true;
 }
 
-/** Root of an index; the path to it gets shorter. */
-static int32_t root_of(forest *self, int32_t k)
+/** Root of a row; the path to it gets shorter. */
+static int32_t root_of(forest *self, int32_t row)
 {
     int32_t *above = self->above;
-    while (above[k] != k) {
-        above[k] = above[above[k]];
-        k = above[k];
+    while (above[row] != row) {
+        above[row] = above[above[row]];
+        row = above[row];
     }
-    return k;
+    return row;
 }
 
 static void join(forest *self, int32_t a, int32_t b)
@@ -146,140 +89,156 @@ static void join(forest *self, int32_t a, int32_t b)
     }
 }
 
-/** Join what bonds join, and let each root know its tree. */
-static void grow(forest *self, const clod_state *state, const clod_bonds *bonds)
+static bool is_own(const forest *self, int32_t row)
 {
-    for (size_t k = 0; k < bonds->count; k++) {
-        const int32_t a = self->index[bonds->bond[k].i], b = self->index[bonds->bond[k].j];
-        if (self->in[a] && self->in[b]) {
+    return clod_survey_has(self->here, (size_t)row);
+}
+
+/** Whether an own grain counts. */
+static bool is_counted(const forest *self, size_t row)
+{
+    return (self->is[row] & COUNTS) != 0 && is_own(self, (int32_t)row);
+}
+
+/** Join what bonds join, and mark those across ranks. */
+static void grow(forest *self)
+{
+    const uint64_t *id = self->here->state->grains.id;
+    for (size_t k = 0; k < self->bonds->count; k++) {
+        const int32_t a = self->bonds->bond[k].i, b = self->bonds->bond[k].j;
+        if ((self->is[a] & self->is[b] & COUNTS) != 0) {
             join(self, a, b);
+            if (!is_own(self, a) || !is_own(self, b)) {
+                self->is[id[a] < id[b] ? a : b] |= BETWEEN;
+            }
         }
-    }
-    for (size_t k = 0; k < state->grains.count; k++) {
-        const int32_t root = root_of(self, (int32_t)k);
-        self->size[root]++;
-        self->walled[root] = self->walled[root] || bonds->on_wall[bonds->ids.item[k].index];
     }
 }
 
-/** Number the clumps in the order of their first grains; how many there are. */
-static size_t number_clumps(forest *self, size_t grains, const clod_clump_choice *choice)
+/** Let each root know its tree. */
+static void measure_trees(forest *self)
 {
-    size_t count = 0;
-    for (size_t k = 0; k < grains; k++) {
-        if (self->above[k] == (int32_t)k && self->size[k] >= choice->least &&
-            !(choice->free && self->walled[k])) {
-            self->clump[k] = (int32_t)count++;
+    const clod_grains *grains = &self->here->state->grains;
+    for (size_t g = 0; g < grains->count; g++) {
+        const int32_t root = root_of(self, (int32_t)g);
+        if ((self->is[g] & BETWEEN) != 0) {
+            self->is[root] |= OPEN;
+            self->parts.links++;
+        }
+        if (is_counted(self, g)) {
+            self->size[root]++;
+            self->is[root] |= self->bonds->on_wall[g] ? WALLED : 0;
+            self->mass += clod_clump_sum_of(grains->velocity[g][3], self->units.mass);
         }
     }
-    return count;
 }
 
-/** Put every grain into its clump. */
-static void fill_clumps(clod_clumps *self, forest *trees, const clod_state *state,
-                        const clod_bonds *bonds)
+/** Number the trees that are clumps, or may be with what other ranks have. */
+static void number_parts(forest *self, const clod_clump_choice *choice)
 {
-    for (size_t k = 0; k < state->grains.count; k++) {
-        const size_t row = bonds->ids.item[k].index;
-        const int32_t number = trees->clump[root_of(trees, (int32_t)k)];
-        const double mass = state->grains.velocity[row][3];
-        const double r = state->grains.position[row][3];
-        self->of[row] = number;
-        self->grains_mass += trees->in[k] ? mass : 0.0;
-        if (number >= 0) {
-            clod_clump *clump = &self->clump[number];
-            clump->id = clump->grains == 0 ? state->grains.id[row] : clump->id;
-            clump->grains++;
-            clump->mass += mass;
-            clump->volume += 4.0 / 3.0 * M_PI * r * r * r;
+    for (size_t g = 0; g < self->here->state->grains.count; g++) {
+        const bool root = self->above[g] == (int32_t)g;
+        const bool out = choice->free && (self->is[g] & WALLED) != 0;
+        if (root && ((self->is[g] & OPEN) != 0 || (self->size[g] >= choice->least && !out))) {
+            self->part[g] = (int32_t)self->parts.parts++;
         }
     }
 }
 
-bool clod_clumps_find(clod_clumps *self, const clod_state *state, const clod_bonds *bonds,
+static void add_grain(forest *self, clod_clump_part *part, size_t row)
+{
+    const clod_grains *grains = &self->here->state->grains;
+    const uint64_t id = grains->id[row];
+    part->id = part->grains == 0 || id < part->id ? id : part->id;
+    part->grains++;
+    part->walled |= self->bonds->on_wall[row];
+    part->mass += clod_clump_sum_of(grains->velocity[row][3], self->units.mass);
+    part->volume += clod_clump_sum_of(volume_of(grains->position[row][3]), self->units.volume);
+}
+
+/** Parts and links; false without memory. */
+static bool fill_parts(forest *self)
+{
+    clod_clump_parts *to = &self->parts;
+    const clod_grains *grains = &self->here->state->grains;
+    to->part = clod_memory_alloc(to->parts + 1, sizeof *to->part);
+    to->link = clod_memory_alloc(to->links + 1, sizeof *to->link);
+    if (to->part == NULL || to->link == NULL) {
+        return false;
+    }
+    to->links = 0;
+    for (size_t g = 0; g < grains->count; g++) {
+        const int32_t number = self->part[root_of(self, (int32_t)g)];
+        if ((self->is[g] & BETWEEN) != 0) {
+            to->link[to->links++] = (clod_clump_link){grains->id[g], (uint64_t)number};
+        }
+        if (number >= 0 && is_counted(self, g)) {
+            add_grain(self, &to->part[number], g);
+        }
+    }
+    return true;
+}
+
+static void add_mass(const void *context, void *into, const void *from)
+{
+    (void)context;
+    clod_clump_sum *mine = into;
+    *mine += *(const clod_clump_sum *)from;
+}
+
+/** Mass of all ranks' grains that count. */
+static bool weigh(clod_clumps *self, forest *trees, clod_status *status)
+{
+    clod_ranks *ranks = trees->here->ranks;
+    if (ranks != NULL) {
+        if (!clod_ranks_reserve(ranks, sizeof trees->mass, status)) {
+            return false;
+        }
+        clod_ranks_merge(ranks, &trees->mass, sizeof trees->mass, add_mass, NULL);
+    }
+    self->grains_mass = clod_clump_sum_value(trees->mass, trees->units.mass);
+    return true;
+}
+
+/** Let own grains know the names of their parts. */
+static void name_grains(clod_clumps *self, forest *trees)
+{
+    for (size_t g = 0; g < trees->here->state->grains.count; g++) {
+        const int32_t number = trees->part[root_of(trees, (int32_t)g)];
+        const bool named = number >= 0 && self->name[number].grains > 0 && is_counted(trees, g);
+        self->of[g] = named ? number : -1;
+    }
+}
+
+bool clod_clumps_find(clod_clumps *self, const clod_survey_part *here, const clod_bonds *bonds,
                       const clod_clump_choice *choice, clod_status *status)
 {
     forest trees;
-    const size_t n = state->grains.count;
+    const size_t n = here->state->grains.count;
     *self = (clod_clumps){.of = clod_memory_alloc(n + 1, sizeof *self->of)};
-    bool good = forest_init(&trees, state, bonds, choice->region) && self->of != NULL;
+    bool good = forest_init(&trees, here, bonds, choice) && self->of != NULL;
     if (good) {
-        grow(&trees, state, bonds);
-        self->count = number_clumps(&trees, n, choice);
-        self->clump = clod_memory_alloc(self->count + 1, sizeof *self->clump);
-        good = self->clump != NULL;
+        grow(&trees);
+        measure_trees(&trees);
+        number_parts(&trees, choice);
+        good = fill_parts(&trees);
     }
+    if (!good) {
+        clod_status_fail(status, CLOD_FAILED, "no memory for the clumps of %zu grains", n);
+    }
+    good = clod_survey_agree(here, good, status) && weigh(self, &trees, status) &&
+           clod_clumps_join(self, here->ranks, &trees.parts, &trees.units, choice, status);
     if (good) {
-        fill_clumps(self, &trees, state, bonds);
+        name_grains(self, &trees);
     }
     forest_fini(&trees);
-    return good || lacks_memory(status, n);
+    return good;
 }
 
 void clod_clumps_fini(clod_clumps *self)
 {
     clod_memory_free(self->clump);
+    clod_memory_free(self->name);
     clod_memory_free(self->of);
     *self = (clod_clumps){0};
-}
-
-// ---- what they are
-
-static double diameter(double volume)
-{
-    return cbrt(6.0 / M_PI * volume);
-}
-
-/** Diameters below which shares of the mass are: clumps from small to large. */
-static bool find_quantiles(const clod_clumps *self, clod_clump_stats *stats)
-{
-    static const double SHARE[3] = {0.1, 0.5, 0.9};
-    double *const at[3] = {&stats->d10, &stats->d50, &stats->d90};
-    clod_sort_item *item = clod_memory_alloc(2 * self->count + 1, sizeof *item);
-    if (item == NULL) {
-        return false;
-    }
-    for (size_t k = 0; k < self->count; k++) {
-        item[k].index = k;
-        memcpy(&item[k].key, &self->clump[k].volume, sizeof item[k].key); // ascends as > 0
-    }
-    clod_sort(item, item + self->count, self->count);
-    double mass = 0.0;
-    int next = 0;
-    for (size_t k = 0; k < self->count; k++) {
-        const clod_clump *clump = &self->clump[item[k].index];
-        mass += clump->mass;
-        const bool last = k + 1 == self->count;
-        for (; next < 3 && (last || mass >= SHARE[next] * stats->mass); next++) {
-            *at[next] = diameter(clump->volume);
-        }
-    }
-    clod_memory_free(item);
-    return true;
-}
-
-bool clod_clumps_sum_up(const clod_clumps *self, clod_clump_stats *stats,
-                        clod_clump_sizes *sizes, clod_status *status)
-{
-    *stats = (clod_clump_stats){.number = (double)self->count};
-    *sizes = (clod_clump_sizes){0};
-    double by_mass = 0.0;
-    for (size_t k = 0; k < self->count; k++) {
-        const clod_clump *clump = &self->clump[k];
-        const int at = clod_clump_class(clump->grains);
-        stats->grains += clump->grains;
-        stats->mass += clump->mass;
-        by_mass += clump->mass * clump->grains;
-        stats->largest = fmax(stats->largest, clump->grains);
-        stats->largest_mass = fmax(stats->largest_mass, clump->mass);
-        sizes->number[at] += 1.0;
-        sizes->mass[at] += clump->mass;
-    }
-    if (self->count == 0) {
-        return true;
-    }
-    stats->share = stats->mass / self->grains_mass;
-    stats->mean = stats->grains / stats->number;
-    stats->mean_by_mass = by_mass / stats->mass;
-    return find_quantiles(self, stats) || lacks_memory(status, self->count);
 }

@@ -1,46 +1,20 @@
 #pragma once
 /**
  * @file clumps.h
- * Clumps: grains that hang together by adhesive contacts (docs/clumps.md). Nothing here depends
- * on the order of rows or contacts: grains are gone through by their ids.
+ * Clumps: grains that hang together by adhesive contacts (docs/clumps.md). Where ranks have the bed,
+ * each finds what hangs together of its own grains, and rank 0 joins what bonds across ranks do
+ * (clumps_join.h). Nothing here depends on the order of rows or contacts, nor on whose they are.
  */
 
+#include "measure/bonds.h"
 #include "state/clump_class.h"
-#include "state/contact_source.h"
-#include "state/ids.h"
 
-/** What joins two grains. */
-typedef struct clod_bond {
-    int32_t i, j; ///< rows
-} clod_bond;
-
-/** All bonds of a moment. */
-typedef struct clod_bonds {
-    clod_bond *bond; ///< [count] owned, as the rest
-    size_t count, room;
-    bool *on_wall; ///< [grains.count] whether a grain touches a wall
-    clod_ids ids;  ///< of all grains
-} clod_bonds;
-
-/**
- * Find the bonds: closed contacts of two grains whose pull-off force exceeds `number` times the
- * weight of the lighter one. Without gravity any pull is enough.
- *
- * @param self      [out] clod_bonds_fini in any case
- * @param contacts  with strength; without there are no bonds
- * @param number    Bond number, 0 or more
- * Errors  CLOD_FAILED: memory.   Threads  pure.   Test  tests/measure/test_clumps.c
- */
-bool clod_bonds_find(clod_bonds *self, const clod_state *state,
-                     const clod_contact_source *contacts, double number, clod_status *status);
-
-void clod_bonds_fini(clod_bonds *self);
-
-/** Which clumps are searched for. */
+/** Which clumps are searched for; plain data. */
 typedef struct clod_clump_choice {
-    int64_t least;             ///< grains of a clump, 2 or more
-    const clod_outlet *region; ///< only grains in it, and bonds between them; NULL: all
-    bool free;                 ///< only clumps of which no grain touches a wall
+    int64_t least; ///< grains of a clump, 2 or more
+    bool cuts;     ///< only grains in the region, and bonds between them
+    bool free;     ///< only clumps of which no grain touches a wall
+    clod_outlet region;
 } clod_clump_choice;
 
 typedef struct clod_clump {
@@ -50,21 +24,33 @@ typedef struct clod_clump {
     double volume; ///< m3, of its grains
 } clod_clump;
 
+/** What a grain knows of its clump. */
+typedef struct clod_clump_name {
+    uint64_t id;
+    int64_t grains; ///< 0: it is in none
+} clod_clump_name;
+
 typedef struct clod_clumps {
-    clod_clump *clump; ///< [count] ascending by id; owned, as the rest
+    // of rank 0, or of a process alone
+    clod_clump *clump; ///< [count] of all ranks, ascending by id; owned, as the rest
     size_t count;
-    int32_t *of;        ///< [grains.count] number of each grain's clump; -1: none
     double grains_mass; ///< kg, of all grains that were counted
+    // of each rank
+    clod_clump_name *name; ///< [names] of what hangs together here
+    size_t names;
+    int32_t *of; ///< [grains.count] number of each own grain's name; -1: in no clump
 } clod_clumps;
 
 /**
  * Find the clumps.
  *
  * @param self   [out] clod_clumps_fini in any case
- * @param bonds  of this state
- * Errors  CLOD_FAILED: memory.   Threads  pure.   Test  tests/measure/test_clumps.c
+ * @param bonds  of this moment
+ * @return       false on all ranks alike
+ * Errors  CLOD_FAILED: memory.   Threads  one of each rank, all at the same time.
+ * Test    tests/measure/test_clumps.c, test_clumps_ranks.c, tests/step/test_ranks_clumps.c
  */
-bool clod_clumps_find(clod_clumps *self, const clod_state *state, const clod_bonds *bonds,
+bool clod_clumps_find(clod_clumps *self, const clod_survey_part *here, const clod_bonds *bonds,
                       const clod_clump_choice *choice, clod_status *status);
 
 void clod_clumps_fini(clod_clumps *self);
@@ -89,8 +75,8 @@ typedef struct clod_clump_sizes {
 } clod_clump_sizes;
 
 /**
- * Sum up what clumps are. d10 is the diameter of the smallest clump which with all smaller ones
- * has 10 % of the mass in clumps; and so on. All 0 without clumps.
+ * Sum up what clumps are (clumps_stats.c). d10 is the diameter of the smallest clump which with all
+ * smaller ones has 10 % of the mass in clumps; and so on. All 0 without clumps.
  *
  * Errors  CLOD_FAILED: memory.   Threads  pure.   Test  tests/measure/test_clumps.c
  */

@@ -1,10 +1,12 @@
 #include "measure/survey.h"
 
+#include "measure/clumps_look.h"
 #include "measure/contacts.h"
 #include "measure/continuum_pass.h"
 #include "measure/gauge_pass.h"
 #include "measure/mixing_grid.h"
 #include "measure/repose.h"
+#include "measure/resting_mass.h"
 #include "measure/stock.h"
 #include "measure/strength_grid.h"
 
@@ -18,6 +20,8 @@ const clod_survey_way *clod_survey_way_of(clod_survey_kind kind)
         [CLOD_SURVEY_MIXING] = &CLOD_MIXING_GRID_WAY,
         [CLOD_SURVEY_STOCK] = &CLOD_STOCK_WAY,
         [CLOD_SURVEY_STRENGTH] = &CLOD_STRENGTH_GRID_WAY,
+        [CLOD_SURVEY_CLUMPS] = &CLOD_CLUMPS_LOOK_WAY,
+        [CLOD_SURVEY_RESTING] = &CLOD_RESTING_MASS_WAY,
         [CLOD_SURVEY_REPOSE] = &CLOD_REPOSE_WAY,
         [CLOD_SURVEY_REPOSE_CENTER] = &CLOD_REPOSE_CENTER_WAY,
     };

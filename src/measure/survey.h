@@ -11,6 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "parallel/ranks.h"
 #include "state/contact_source.h"
 
 /** What of a bed is in this process. */
@@ -18,13 +19,24 @@ typedef struct clod_survey_part {
     const clod_state *state;             ///< own rows, and ghosts of other ranks' grains
     const clod_contact_source *contacts; ///< all that own grains have; NULL: none
     const int32_t *owner;                ///< [grains] rank of each row; NULL: all are own
-    int32_t rank;                        ///< this one
+    // where other ranks make the same sums at this moment; else NULL, with no owners
+    clod_ranks *ranks;
+    /** Rows of ghosts, in a column of up to 72 bytes a row, become those of their owners. */
+    void (*share)(const void *context, void *column, size_t size);
+    const void *context;
 } clod_survey_part;
 
 /** Whether a row counts here. A contact counts where its first grain does. Threads: pure. */
 static inline bool clod_survey_has(const clod_survey_part *self, size_t row)
 {
-    return self->owner == NULL || self->owner[row] == self->rank;
+    return self->owner == NULL || self->owner[row] == self->ranks->rank;
+}
+
+/** Whether it went well on all ranks, see clod_ranks_agree. */
+static inline bool clod_survey_agree(const clod_survey_part *self, bool good,
+                                     clod_status *status)
+{
+    return self->ranks == NULL ? good : clod_ranks_agree(self->ranks, good, status);
 }
 
 /** Kinds of sums. */
@@ -36,6 +48,8 @@ typedef enum clod_survey_kind {
     CLOD_SURVEY_MIXING,       ///< mixing_grid.c
     CLOD_SURVEY_STOCK,        ///< stock.c
     CLOD_SURVEY_STRENGTH,     ///< strength_grid.c
+    CLOD_SURVEY_CLUMPS,       ///< clumps_look.c
+    CLOD_SURVEY_RESTING,      ///< resting_mass.c
     CLOD_SURVEY_REPOSE,       ///< repose.c: the surface
     CLOD_SURVEY_REPOSE_CENTER ///< repose.c
 } clod_survey_kind;
@@ -74,7 +88,7 @@ bool clod_survey_ask(const clod_survey *self, const clod_survey_question *questi
 
 /** How sums of a kind are made. */
 typedef struct clod_survey_way {
-    /** Add what is here. The sums are zero before. */
+    /** Add what is here. The sums are zero before. Ranks may talk, all alike; then they fail alike. */
     bool (*add)(const clod_survey_question *question, const clod_survey_part *here,
                 clod_status *status);
     /** Add other sums: those of `unit` bytes, or all of them. */

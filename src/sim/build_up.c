@@ -5,14 +5,12 @@
 
 #include "base/json.h"
 #include "base/memory.h"
-#include "parallel/exact.h"
-#include "sim/resting.h"
+#include "measure/resting_mass.h"
 
 /** One of what grains rest on: a wall, or a part of a mesh. */
 typedef struct target {
-    int32_t wall, first; ///< number among the walls of now; first shape of the mesh
-    int32_t part;        ///< -1: all of the wall
-    size_t past;         ///< number of its past
+    clod_resting_target on;
+    size_t past; ///< number of its past
 } target;
 
 #define NAME 72 ///< bytes of a target's
@@ -101,7 +99,7 @@ static size_t visit_targets(const clod_case *from, const clod_state *state, targ
     for (size_t w = 0; w < walls; w++) {
         const int32_t number = number_of(from, state, w);
         if (number >= 0) {
-            visit(context, count++, &(target){number, 0, -1, w}, state);
+            visit(context, count++, &(target){{number, 0, -1}, w}, state);
         }
     }
     for (size_t w = 0; w < walls; w++) {
@@ -114,7 +112,7 @@ static size_t visit_targets(const clod_case *from, const clod_state *state, targ
             }
             for (size_t p = 0; p < surface->part_count && slot < most_targets(from); p++) {
                 if (surface->part_name[p][0] != '\0') {
-                    visit(context, count++, &(target){number, s, (int32_t)p, slot++}, state);
+                    visit(context, count++, &(target){{number, s, (int32_t)p}, slot++}, state);
                 }
             }
         }
@@ -122,25 +120,21 @@ static size_t visit_targets(const clod_case *from, const clod_state *state, targ
     return count;
 }
 
+/** What is weighed. */
+typedef struct weighing {
+    clod_resting_question *asked;
+    size_t *past;     ///< [asked->count]
+    clod_exact *mass; ///< [asked->count] kg
+} weighing;
+
 static void note_target(void *context, size_t number, const target *self,
                         const clod_state *state)
 {
     (void)state;
-    target *list = context;
-    list[number] = *self;
-}
-
-/** Whether a shape of a wall is of a target. */
-static bool is_of(const target *self, const clod_state *state, const clod_resting *on)
-{
-    if (self->wall != on->wall || self->part < 0) {
-        return self->wall == on->wall;
-    }
-    const clod_shape *shapes = state->walls.wall[on->wall].shapes;
-    const clod_surface *surface = shapes[self->first].surface;
-    const clod_shape *shape = &shapes[on->shape];
-    return shape->surface == surface && on->shape >= self->first &&
-           (int32_t)surface->patches[shape->patch].part == self->part;
+    weighing *list = context;
+    list->asked->target[number] = self->on;
+    list->past[number] = self->past;
+    list->asked->count = number + 1;
 }
 
 // ---- the past
@@ -161,7 +155,7 @@ static void thin_out(build_up *self, size_t targets)
 
 /** Note the masses of a sample; `steady` is how much of the steady time has passed since the one
  *  before [s], 0 before it begins. */
-static void note(build_up *self, const clod_exact *mass, size_t targets, double time,
+static void note(build_up *self, const weighing *sample, size_t targets, double time,
                  double steady)
 {
     const bool counts = steady > 0.0;
@@ -172,8 +166,13 @@ static void note(build_up *self, const clod_exact *mass, size_t targets, double 
     }
     const bool point = counts && self->samples % self->every == 0;
     for (size_t t = 0; t < targets; t++) {
+        self->of[t].now = 0.0; // of a wall that is gone
+    }
+    for (size_t k = 0; k < sample->asked->count; k++) {
+        self->of[sample->past[k]].now = clod_exact_value(&sample->mass[k]);
+    }
+    for (size_t t = 0; t < targets; t++) {
         past *of = &self->of[t];
-        of->now = clod_exact_value(&mass[t]);
         of->sum += steady * of->now;
         if (of->now > of->most) {
             of->most = of->now;
@@ -207,26 +206,6 @@ double clod_build_up_rate(const double *time, const double *mass, int64_t count)
 
 // ---- the measure
 
-/** Add the mass of each grain to what it rests on. */
-static void weigh(clod_exact *mass, const target *targets, size_t count,
-                  const clod_state *state, const clod_resting *on)
-{
-    for (size_t g = 0; g < state->grains.count; g++) {
-        for (size_t t = 0; on[g].wall >= 0 && t < count; t++) {
-            if (is_of(&targets[t], state, &on[g])) {
-                clod_exact_add(&mass[targets[t].past], state->grains.velocity[g][3]);
-            }
-        }
-    }
-}
-
-/** What rests on what is followed from grain to grain, across ranks. */
-static void build_up_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
-{
-    (void)memory;
-    sees->whole |= now->from->build_up.present && now->row;
-}
-
 static bool build_up_sample(void *memory, const clod_free_moment *now, clod_status *status)
 {
     build_up *self = memory;
@@ -234,38 +213,38 @@ static bool build_up_sample(void *memory, const clod_free_moment *now, clod_stat
         return true;
     }
     const size_t most = most_targets(now->from);
-    clod_resting *on = clod_memory_alloc(now->state->grains.count + 1, sizeof *on);
-    target *targets = clod_memory_alloc(most, sizeof *targets);
-    clod_exact *mass = clod_memory_alloc(most, sizeof *mass);
-    bool good = on != NULL && targets != NULL && mass != NULL;
-    if (!good) {
-        clod_status_fail(status, CLOD_FAILED, "no memory for what rests of %zu grains",
-                         now->state->grains.count);
-    }
-    good = good && clod_resting_find(on, now->state, now->survey->contacts,
-                                     now->from->build_up.speed, status);
+    weighing sample = {.asked = clod_memory_alloc(1, sizeof *sample.asked +
+                                                         most * sizeof(clod_resting_target)),
+                       .past = clod_memory_alloc(most, sizeof *sample.past),
+                       .mass = clod_memory_alloc(most, sizeof *sample.mass)};
+    bool good =
+        (sample.asked != NULL && sample.past != NULL && sample.mass != NULL) ||
+        clod_status_fail(status, CLOD_FAILED, "no memory for what rests on %zu walls", most);
     if (good) {
-        const size_t count = visit_targets(now->from, now->state, note_target, targets);
-        weigh(mass, targets, count, now->state, on);
-        note(self, mass, most, now->state->time,
+        sample.asked->speed = now->from->build_up.speed;
+        visit_targets(now->from, now->state, note_target, &sample);
+        good = clod_resting_mass(sample.asked, now->survey, sample.mass, status);
+    }
+    if (good) {
+        note(self, &sample, most, now->state->time,
              clod_steady_time_within(&now->steady, self->sampled, now->state->time));
         self->sampled = now->state->time;
     }
-    clod_memory_free(on);
-    clod_memory_free(targets);
-    clod_memory_free(mass);
+    clod_memory_free(sample.asked);
+    clod_memory_free(sample.past);
+    clod_memory_free(sample.mass);
     return good;
 }
 
 static void name_target(const target *self, const clod_state *state, char *text, size_t size)
 {
-    const clod_wall *wall = &state->walls.wall[self->wall];
-    if (self->part < 0) {
+    const clod_wall *wall = &state->walls.wall[self->on.wall];
+    if (self->on.part < 0) {
         snprintf(text, size, "%s", wall->name);
         return;
     }
     snprintf(text, size, "%s.%s", wall->name,
-             wall->shapes[self->first].surface->part_name[self->part]);
+             wall->shapes[self->on.first].surface->part_name[self->on.part]);
     for (char *c = text; *c != '\0'; c++) { // a name of a mesh file may have anything in it
         if (strchr(" ,\"[]\t", *c) != NULL) {
             *c = '_';
@@ -396,7 +375,6 @@ const clod_free_measure CLOD_MEASURE_BUILD_UP = {.key = "build_up",
                                                  .size = build_up_size,
                                                  .begin = build_up_begin,
                                                  .needs = build_up_needs,
-                                                 .sight = build_up_sight,
                                                  .look = build_up_sample,
                                                  .columns = build_up_columns,
                                                  .column = build_up_column,

@@ -16,7 +16,7 @@
  * Slope of mass over time by least squares [kg/s]; NAN with fewer than 3 points.
  *
  * @param time, mass  [count] ascending times [s], kg
- * Threads  pure.   Test  tests/sim/test_resting.c
+ * Threads  pure.   Test  tests/measure/test_resting.c
  */
 double clod_build_up_rate(const double *time, const double *mass, int64_t count);
 

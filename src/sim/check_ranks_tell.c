@@ -48,8 +48,7 @@ static clod_check_ranks_start start_of(const clod_case *from, const clod_check_r
     start.random = room > 0.0 && report->solid_volume < RANDOM_FRACTION * room
                        ? (double)report->grains
                        : 0.0;
-    start.gathered =
-        tester || from->output.contacts || from->clumps.present || from->build_up.present;
+    start.gathered = tester || from->output.contacts;
     return start;
 }
 

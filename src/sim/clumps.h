@@ -4,8 +4,7 @@
  * Clumps of a free run: a measure (docs/clumps.md). It is sampled at every row of the series.
  */
 
-#include "measure/clumps.h"
-#include "parallel/exact.h"
+#include "measure/clumps_look.h"
 #include "sim/free_measures.h"
 
 /** All clumps, or those of one of the case's counts. */
@@ -18,13 +17,10 @@ typedef struct clod_clump_count {
 
 /** What the measure remembers. */
 typedef struct clod_clump_memory {
-    double sampled;                         ///< s, time of the last sample
-    double time;                            ///< s, of the steady time until then
-    int64_t left;                           ///< times in it that a grain left its clump
-    clod_exact lived;                       ///< s, sum of the times that they were
-    double lived_least, lived_most;         ///< s
-    int64_t lived_count[CLOD_TIME_CLASSES]; ///< how many were for so long
-    clod_clump_count count[1 + CLOD_CASE_CLUMP_COUNTS]; ///< all, then those of the case
+    double sampled;                              ///< s, time of the last sample
+    double time;                                 ///< s, of the steady time until then
+    clod_clump_lives lives;                      ///< of grains that left their clumps in it
+    clod_clump_count count[CLOD_CLUMPS_CHOICES]; ///< all, then those of the case
 } clod_clump_memory;
 
 extern const clod_free_measure CLOD_MEASURE_CLUMPS;

@@ -72,13 +72,14 @@ static double ratio(double a, double b)
 /** Time that a fraction of the grains were not in a clump for longer [s]. */
 static double time_quantile(const clod_clump_memory *self, double fraction)
 {
-    const double range[2] = {self->lived_least, self->lived_most};
-    return clod_time_class_quantile(self->lived_count, self->left, fraction, range);
+    const clod_clump_lives *lives = &self->lives;
+    const double range[2] = {lives->least, lives->most};
+    return clod_time_class_quantile(lives->count, lives->grains, fraction, range);
 }
 
 static double mean_time(const clod_clump_memory *self)
 {
-    return ratio(clod_exact_value(&self->lived), (double)self->left);
+    return ratio(clod_exact_value(&self->lives.sum), (double)self->lives.grains);
 }
 
 // ---- report
@@ -128,12 +129,13 @@ void clod_clumps_report_lines(FILE *out, const void *memory, const clod_free_mom
         fprintf(out, "  clumps                no means: the run ended before %.6g s\n",
                 now->steady.since);
     }
-    if (self->left > 0) {
+    if (self->lives.grains > 0) {
         fprintf(out,
                 "  time in clumps        %.4g s (10, 50, 90 %%: %.3g, %.3g, %.3g s) of the "
                 "%" PRId64 " time%s that a grain left its clump\n",
                 mean_time(self), time_quantile(self, 0.1), time_quantile(self, 0.5),
-                time_quantile(self, 0.9), self->left, clod_plural((double)self->left));
+                time_quantile(self, 0.9), self->lives.grains,
+                clod_plural((double)self->lives.grains));
     }
     const int64_t gone = left_in_all(&now->state->exchange, true);
     if (gone > 0) {
@@ -223,10 +225,10 @@ json_t *clod_clumps_report_json(const void *memory, const clod_free_moment *now)
     json_object_set_new(all, "counts", counts);
     json_object_set_new(
         all, "time_in_clumps",
-        self->left == 0
+        self->lives.grains == 0
             ? json_pack("{s:i}", "grains", 0)
-            : json_pack("{s:I, s:f, s:f, s:f, s:f}", "grains", (json_int_t)self->left, "mean_s",
-                        mean_time(self), "p10_s", time_quantile(self, 0.1), "p50_s",
+            : json_pack("{s:I, s:f, s:f, s:f, s:f}", "grains", (json_int_t)self->lives.grains,
+                        "mean_s", mean_time(self), "p10_s", time_quantile(self, 0.1), "p50_s",
                         time_quantile(self, 0.5), "p90_s", time_quantile(self, 0.9)));
     json_object_set_new(all, "left", left_json(&now->state->exchange));
     return all;

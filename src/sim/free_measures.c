@@ -171,15 +171,6 @@ bool clod_free_measures_picture(void *memory, const clod_free_moment *now,
     return good;
 }
 
-bool clod_free_measures_picture_needs_all(const clod_case *from)
-{
-    bool any = false;
-    for (int k = 0; k < COUNT; k++) {
-        any |= MEASURES[k]->picture_needs_all != NULL && MEASURES[k]->picture_needs_all(from);
-    }
-    return any;
-}
-
 static size_t columns_of(int k, const clod_case *from, const clod_state *state)
 {
     return MEASURES[k]->columns != NULL ? MEASURES[k]->columns(from, state) : 0;

@@ -27,7 +27,6 @@ typedef struct clod_free_moment {
     clod_state *state;         ///< a measure changes only what is its own, or asks for changes
     const clod_survey *survey; ///< of the bed at this moment; NULL in sight, report and json
     const clod_measure_motion *motion; ///< of the bed, in row; else NULL
-    bool row;                          ///< in sight: a row may be due
     clod_steady_time steady;           ///< of this run: all means are those over it
 } clod_free_moment;
 
@@ -50,7 +49,7 @@ typedef struct clod_free_measure {
     void (*begin)(void *memory, const clod_case *from, const clod_state *state,
                   const clod_free_start *bed);
     /** What of the bed must be in the state, and not only in the survey's sums, to act at this step,
-     *  or for a row where one may be due, into `sees`. NULL: nothing of it. */
+     *  into `sees`. NULL: nothing of it. */
     void (*sight)(const void *memory, const clod_free_moment *now, clod_sight *sees);
     /** Before every plan, at steps of its own: once for a step, however often it is called. */
     bool (*act)(void *memory, const clod_free_moment *now, clod_status *status);
@@ -65,12 +64,10 @@ typedef struct clod_free_measure {
     bool (*news)(void *memory, const clod_case *from, const clod_state *state, clod_news *news);
     /** A row is due: look at the bed. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
-    /** A snapshot is due: fill the columns of grains that it shows (clod_job_picture_needs_all); write
+    /** A snapshot is due: have the columns of grains that it shows filled, wherever these are; write
      *  what is shown beside it. */
     bool (*picture)(void *memory, const clod_free_moment *now, const clod_frame *frame,
                     clod_status *status);
-    /** Whether `picture` looks at grains and contacts in the state. NULL: it does not. */
-    bool (*picture_needs_all)(const clod_case *from);
     /** Number of its columns in the series. */
     size_t (*columns)(const clod_case *from, const clod_state *state);
     /** Header text of column k, with its unit: "exit.mass_flow [kg s-1]". */
@@ -122,9 +119,6 @@ bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_sta
 
 bool clod_free_measures_picture(void *memory, const clod_free_moment *now,
                                 const clod_frame *frame, clod_status *status);
-
-/** Whether the picture of any looks at grains and contacts in the state. */
-bool clod_free_measures_picture_needs_all(const clod_case *from);
 
 /** Number of all columns. */
 size_t clod_free_measures_columns(const clod_case *from, const clod_state *state);

@@ -65,10 +65,8 @@ static int64_t free_plan(const void *data, const void *context, const clod_state
 static void free_sight(const void *data, const void *context, const clod_state *state,
                        clod_sight *sees)
 {
-    const free_data *self = data;
     clod_state *seen = (clod_state *)state; // a moment may change it; nobody does here
-    clod_free_moment now = moment_of(data, context, seen, NULL);
-    now.row = clod_free_stages_may_end(&self->at, context, state);
+    const clod_free_moment now = moment_of(data, context, seen, NULL);
     clod_free_measures_sight(measures_of(data, context), &now, sees);
 }
 
@@ -104,11 +102,6 @@ static bool free_picture(void *data, const void *context, clod_state *state,
 {
     const clod_free_moment now = moment_of(data, context, state, survey);
     return clod_free_measures_picture(measures_of(data, context), &now, frame, status);
-}
-
-static bool free_picture_needs_all(const void *context)
-{
-    return clod_free_measures_picture_needs_all(context);
 }
 
 static bool free_sample(void *data, const void *context, clod_state *state,
@@ -395,7 +388,6 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .measure = free_measure,
                                      .sample = free_sample,
                                      .picture = free_picture,
-                                     .picture_needs_all = free_picture_needs_all,
                                      .phase = free_phase,
                                      .fraction = free_fraction,
                                      .reason = free_reason};

@@ -92,16 +92,6 @@ static bool have_come_to_rest(clod_free_stages *self, double rest, const clod_su
     return self->calm >= CLOD_FREE_LOOKS;
 }
 
-bool clod_free_stages_may_end(const clod_free_stages *self, const clod_case *from,
-                              const clod_state *state)
-{
-    const double rest = from->stages[self->stage].rest;
-    const int64_t done = state->step - self->stage_start;
-    return (rest > 0.0 && done % look_steps(rest, state) == 0) ||
-           done >= stage_steps(self, from, state->dt) ||
-           clod_outputs_are_due(from->output.series_interval, state->dt, done);
-}
-
 bool clod_free_stages_look(clod_free_stages *self, const clod_case *from,
                            const clod_state *state, const clod_survey *survey)
 {

@@ -49,10 +49,6 @@ void clod_free_stages_begin(clod_free_stages *self, const clod_case *from, clod_
 int64_t clod_free_stages_plan(const clod_free_stages *self, const clod_case *from,
                               const clod_state *state);
 
-/** Whether a row may be due at this step: after clod_free_stages_look. */
-bool clod_free_stages_may_end(const clod_free_stages *self, const clod_case *from,
-                              const clod_state *state);
-
 /**
  * After the planned steps: see whether the grains are at rest, if it is time for that.
  *

@@ -76,7 +76,7 @@ static bool with_survey(job_loop *loop,
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    if (clod_job_picture_needs_all(loop->job) && !clod_step_see(&loop->step, status)) {
+    if (loop->job->sim->from->output.contacts && !clod_step_see(&loop->step, status)) {
         return false;
     }
     clod_step_bed view;

@@ -46,12 +46,10 @@ typedef struct clod_procedure {
     /** Fill the row [column_count], change walls and adhesion; true when finished. */
     bool (*sample)(void *data, const void *context, clod_state *state,
                    const clod_survey *survey, double *row);
-    /** Before a snapshot: fill the columns of grains that it shows, and write what is shown beside it. The
-     *  bed is in the state where clod_job_picture_needs_all says so. NULL: nothing. */
+    /** Before a snapshot: have the columns of grains that it shows filled, wherever these are, and write
+     *  what is shown beside it. NULL: nothing. */
     bool (*picture)(void *data, const void *context, clod_state *state,
                     const clod_survey *survey, const clod_frame *frame, clod_status *status);
-    /** Whether `picture` looks at grains and contacts in the state. NULL: it does not. */
-    bool (*picture_needs_all)(const void *context);
     const char *(*phase)(const void *data, const void *context);
     double (*fraction)(const void *data, const void *context);
     /** Why the phase that a sample has just ended is over. NULL: nobody asks. */

@@ -81,13 +81,6 @@ void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM],
     snprintf(energy, CLOD_JOB_STEM, "%s%senergy.csv", plain ? "" : name, plain ? "" : "-");
 }
 
-bool clod_job_picture_needs_all(const clod_job *self)
-{
-    const clod_procedure *p = &self->procedure;
-    return self->sim->from->output.contacts ||
-           (p->picture_needs_all != NULL && p->picture_needs_all(p->context));
-}
-
 bool clod_job_picture(clod_job *self, const clod_survey *survey, const clod_bed_source *bed,
                       clod_status *status)
 {

@@ -27,11 +27,7 @@ void clod_job_tell(const clod_job *self, const char *text);
 bool clod_job_store(clod_job *self, const clod_bed_source *bed, const char *suffix,
                     clod_status *status);
 
-/** Whether a snapshot needs all grains and contacts in the state: for lines of contacts,
- *  or for what its procedure shows. */
-bool clod_job_picture_needs_all(const clod_job *self);
-
-/** Write the next snapshot. */
+/** Write the next snapshot. With lines of contacts the state has all grains and contacts. */
 bool clod_job_picture(clod_job *self, const clod_survey *survey, const clod_bed_source *bed,
                       clod_status *status);
 

@@ -144,12 +144,11 @@ bool clod_sim_open_series(clod_sim *self, clod_status *status)
     return true;
 }
 
-/** The state has what measures must see of the bed to act, or for a row. */
-static bool see(clod_sim *self, bool row, clod_status *status)
+/** The state has what measures must see of the bed to act. */
+static bool see(clod_sim *self, clod_status *status)
 {
     clod_sight sees = {0};
-    clod_free_moment now = moment_of(self, NULL);
-    now.row = row;
+    const clod_free_moment now = moment_of(self, NULL);
     clod_free_measures_sight(self->measures, &now, &sees);
     return sees.whole ? clod_step_see(&self->step, status)
                       : sees.boxes == 0 ||
@@ -162,7 +161,7 @@ bool clod_sim_advance_measured(clod_sim *self, int64_t steps, clod_status *statu
     while (good && steps > 0) {
         clod_step_reader reader;
         good = clod_step_change(&self->step, status) && // not together with what inlets bring
-               see(self, false, status);
+               see(self, status);
         const clod_contact_source contacts = clod_step_contacts(&self->step, &reader);
         const clod_survey survey = clod_step_survey(&self->step, &contacts);
         const clod_free_moment now = moment_of(self, &survey);
@@ -195,8 +194,7 @@ bool clod_sim_series_row(clod_sim *self, const clod_sim_column **columns, size_t
                                 "%s: the series is not open; call clod_sim_open_series",
                                 __func__);
     }
-    if (!clod_sim_settle(self, status) || !see(self, true, status) ||
-        (self->row_is_old && !make_row(self, status))) {
+    if (!clod_sim_settle(self, status) || (self->row_is_old && !make_row(self, status))) {
         return false;
     }
     clod_step_reader reader;

@@ -40,6 +40,8 @@ typedef struct clod_contact_source {
     clod_contact_strength (*strength)(const void *laws, const clod_contact *contact);
     /** Force of a contact, likewise; i and j may have been turned (clod_contact_turn). */
     clod_contact_force (*force)(const void *laws, const clod_contact *contact);
+    /** Velocity of the wall's material at a contact with it [m/s], likewise. */
+    void (*carrier)(const void *laws, const clod_contact *contact, double velocity[3]);
 } clod_contact_source;
 
 /** A place in a state's own list of contacts. */

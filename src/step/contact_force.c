@@ -61,18 +61,39 @@ static clod_gap gap_of(const clod_wall *wall, int32_t number, const double p[4])
     return gap;
 }
 
+/** Where a grain meets a wall, the gap there, and how the wall's material moves. */
+typedef struct wall_meeting {
+    clod_gap gap;
+    clod_vec3 point, carrier; ///< m, m/s
+} wall_meeting;
+
+static wall_meeting meeting_of(const clod_state *state, const clod_contact *contact)
+{
+    const clod_wall *wall = &state->walls.wall[contact->j];
+    const double *p = state->grains.position[contact->i];
+    const clod_gap gap = gap_of(wall, contact->shape, p);
+    const clod_vec3 point = clod_vec3_axpy(clod_vec3_of(p), -gap.distance, gap.normal);
+    return (wall_meeting){gap, point,
+                          clod_wall_material_velocity(wall, contact->shape, point, gap.normal)};
+}
+
+void clod_step_carrier_of(const void *step, const clod_contact *contact, double velocity[3])
+{
+    const clod_step *self = step;
+    clod_vec3_put(velocity, meeting_of(self->state, contact).carrier);
+}
+
 /** Kinematics of a grain at a wall, as kernel_wall.h has them. The wall's spin counts for rolling
  *  torques alone: an arm of 0 leaves it out of the force. */
 static clod_law_motion meet_wall(const clod_state *state, const clod_contact *contact,
                                  clod_vec3 *point)
 {
     const clod_grains *grains = &state->grains;
-    const clod_wall *wall = &state->walls.wall[contact->j];
     const double *p = grains->position[contact->i];
-    const clod_gap gap = gap_of(wall, contact->shape, p);
-    *point = clod_vec3_axpy(clod_vec3_of(p), -gap.distance, gap.normal);
-    const clod_vec3 carrier =
-        clod_wall_material_velocity(wall, contact->shape, *point, gap.normal);
+    const wall_meeting at = meeting_of(state, contact);
+    const clod_gap gap = at.gap;
+    const clod_vec3 carrier = at.carrier;
+    *point = at.point;
     return (clod_law_motion){.overlap = p[3] - gap.distance,
                              .normal = {gap.normal.x, gap.normal.y, gap.normal.z},
                              .velocity = vreal3_sub(vector_of(grains->velocity[contact->i]),

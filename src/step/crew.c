@@ -152,9 +152,9 @@ bool clod_crew_see_gone(clod_crew *self, clod_status *status)
 bool clod_crew_survey(clod_crew *self, const clod_survey_question *question,
                       clod_status *status)
 {
-    clod_crew_state_copy(&self->state, self->whole->state);
-    give_order(self, (clod_crew_order){.what = CLOD_CREW_SURVEY});
-    return clod_crew_part_survey(self, question, status) || fail(self->whole, status);
+    const clod_crew_order what = prepare(self, CLOD_CREW_SURVEY, 0);
+    give_order(self, what);
+    return clod_crew_part_survey(self, &what, question, status) || fail(self->whole, status);
 }
 
 size_t clod_crew_grains(const clod_crew *self)
@@ -336,7 +336,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         clod_crew_part_store(self, &sums);
         break;
     case CLOD_CREW_SURVEY:
-        clod_crew_part_survey(self, NULL, &status);
+        clod_crew_part_survey(self, what, NULL, &status);
         break;
     case CLOD_CREW_GONE:
         clod_crew_part_see_gone(self, &status);

@@ -1,8 +1,9 @@
 #pragma once
 /**
  * @file crew_clumps.h
- * Clumps are found on rank 0, in the whole state; grains take them along, so what leaves is counted
- * by its clump.
+ * The clumps that grains were in when somebody looked: they take them along, so what leaves is counted by
+ * its clump. Each rank has those of its grains (measure/clumps.h), but for what rank 0 has found in a
+ * whole state, at a beginning or when the bed was gathered for something else.
  *
  * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/parallel/test_mpirun.py
  */

@@ -39,8 +39,7 @@ bool clod_crew_part_update(clod_crew *self, clod_status *status)
     return true;
 }
 
-/** What comes before looks, steps and changes; on all ranks alike. */
-static bool prepare(clod_crew *self, const clod_crew_order *what, clod_status *status)
+bool clod_crew_part_prepare(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
     return clod_crew_part_update(self, status) &&
@@ -64,7 +63,7 @@ static bool agree_on_rows(clod_crew *self, bool good, clod_status *status)
 
 bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
-    bool good = prepare(self, what, status);
+    bool good = clod_crew_part_prepare(self, what, status);
     clod_balance_go_on(&self->spread.balance, self->ranks);
     good = good && clod_step_advance(&self->step, what->steps, status) &&
            has_all_wear(self, status);
@@ -74,7 +73,7 @@ bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_s
 
 bool clod_crew_part_see(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
-    if (!prepare(self, what, status)) {
+    if (!clod_crew_part_prepare(self, what, status)) {
         return false;
     }
     const bool listed = clod_step_export(&self->step, status);
@@ -87,7 +86,7 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
                              clod_status *status)
 {
     clod_ranks_tell(self->ranks, box, (size_t)what->boxes * sizeof *box);
-    return prepare(self, what, status) &&
+    return clod_crew_part_prepare(self, what, status) &&
            clod_migrate_near(&self->spread, &self->state, box, what->boxes,
                              self->whole != NULL ? self->whole->state : NULL, status);
 }
@@ -102,7 +101,8 @@ bool clod_crew_part_see_gone(clod_crew *self, clod_status *status)
 /** Grains that are in the queue of rank 0 come. */
 bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
-    const bool good = prepare(self, what, status) && clod_step_take(&self->step, status);
+    const bool good =
+        clod_crew_part_prepare(self, what, status) && clod_step_take(&self->step, status);
     return agree_on_rows(self, good, status);
 }
 

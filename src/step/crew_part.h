@@ -97,6 +97,9 @@ bool clod_crew_part_is_whole(const clod_crew *self, clod_status *status);
  *  has failed for good. */
 bool clod_crew_part_update(clod_crew *self, clod_status *status);
 
+/** The same with what else an order brings: before looks, sums, steps and changes. */
+bool clod_crew_part_prepare(clod_crew *self, const clod_crew_order *what, clod_status *status);
+
 /** Bring rank 0 the grains that have left one by one. */
 bool clod_crew_part_see_gone(clod_crew *self, clod_status *status);
 

@@ -73,6 +73,12 @@ static bool merge(clod_crew *self, const clod_survey_question *question, clod_st
     return true;
 }
 
+/** As of clod_survey_part, of a spread. */
+static void share(const void *context, void *column, size_t size)
+{
+    clod_spread_share(context, column, size);
+}
+
 /** Sums of the whole bed, of which this rank has a part. */
 static bool make_sums(clod_crew *self, const clod_survey_question *question,
                       clod_status *status)
@@ -80,8 +86,12 @@ static bool make_sums(clod_crew *self, const clod_survey_question *question,
     const clod_survey_way *way = clod_survey_way_of(question->kind);
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&self->step, &reader);
-    const clod_survey_part here = {&self->state, &contacts, self->spread.owner,
-                                   self->ranks->rank};
+    const clod_survey_part here = {.state = &self->state,
+                                   .contacts = &contacts,
+                                   .owner = self->spread.owner,
+                                   .ranks = self->ranks,
+                                   .share = share,
+                                   .context = &self->spread};
     if (way->motions) {
         clod_spread_refresh(&self->spread, &self->state);
     }
@@ -89,14 +99,14 @@ static bool make_sums(clod_crew *self, const clod_survey_question *question,
     return clod_ranks_agree(self->ranks, good, status) && merge(self, question, status);
 }
 
-bool clod_crew_part_survey(clod_crew *self, const clod_survey_question *question,
-                           clod_status *status)
+bool clod_crew_part_survey(clod_crew *self, const clod_crew_order *what,
+                           const clod_survey_question *question, clod_status *status)
 {
     asking all = {.asked = NULL};
     if (question != NULL) {
         all.question = *question;
     }
-    const bool good = clod_crew_part_update(self, status) && tell(self, &all, status) &&
+    const bool good = clod_crew_part_prepare(self, what, status) && tell(self, &all, status) &&
                       make_sums(self, &all.question, status);
     clod_memory_free(all.asked);
     clod_memory_free(all.sums);

@@ -15,5 +15,5 @@
  * @param question  of rank 0; NULL on the others, which learn it
  * @return          false on all alike: no memory, or a crew that is broken
  */
-bool clod_crew_part_survey(clod_crew *self, const clod_survey_question *question,
-                           clod_status *status);
+bool clod_crew_part_survey(clod_crew *self, const clod_crew_order *what,
+                           const clod_survey_question *question, clod_status *status);

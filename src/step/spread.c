@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "base/room.h"
 
@@ -155,6 +156,25 @@ static bool list_ghosts(clod_spread *self, const clod_state *state, double skin,
     step_back(ghosts->out_start, ranks);
     step_back(ghosts->in_start, ranks);
     return keep_messages(self, numbers, status);
+}
+
+void clod_spread_share(const clod_spread *self, void *column, size_t size)
+{
+    const clod_ghosts *ghosts = &self->ghosts;
+    const size_t each = size / sizeof(double);
+    const int ranks = self->ranks->size;
+    char *rows = column;
+    CLOD_ASSERT(size % sizeof(double) == 0 && each <= 3 * (size_t)CLOD_SPREAD_VECTOR);
+    for (size_t k = 0; k < ghosts->out_start[ranks]; k++) {
+        memcpy(ghosts->sent + k * each, rows + (size_t)ghosts->out[k] * size, size);
+    }
+    clod_message *out = self->ranks->message; // those of every step are kept
+    const int outs = address(self, ghosts->out_start, ghosts->sent, each, out);
+    const int ins = address(self, ghosts->in_start, ghosts->got, each, out + outs);
+    clod_ranks_exchange(self->ranks, out, outs, out + outs, ins);
+    for (size_t k = 0; k < ghosts->in_start[ranks]; k++) {
+        memcpy(rows + (size_t)ghosts->in[k] * size, ghosts->got + k * each, size);
+    }
 }
 
 bool clod_spread_list(clod_spread *self, const clod_state *state, double skin,

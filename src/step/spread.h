@@ -113,6 +113,10 @@ bool clod_spread_check_ids(clod_spread *self, const clod_state *state, clod_stat
 /** Rows of ghosts as they are at their owners between two steps, whole kicks and all. */
 void clod_spread_refresh(const clod_spread *self, clod_state *state);
 
+/** Rows of ghosts, in a column of whole numbers of 8 bytes and up to 72 a row, as they are at their
+ *  owners. */
+void clod_spread_share(const clod_spread *self, void *column, size_t size);
+
 /** Speed of the fastest own grain of all ranks, or of the fastest point of a wall [m/s]. */
 double clod_spread_fastest(const clod_step *step);
 

@@ -20,8 +20,9 @@ typedef struct found {
 static void find(found *self, contact_graph *graph, double bond, const clod_clump_choice *of)
 {
     clod_status status;
-    assert_true(clod_bonds_find(&self->bonds, &graph->state, &graph->contacts, bond, &status));
-    assert_true(clod_clumps_find(&self->clumps, &graph->state, &self->bonds, of, &status));
+    const clod_survey_part all = {.state = &graph->state, .contacts = &graph->contacts};
+    assert_true(clod_bonds_find(&self->bonds, &all, bond, &status));
+    assert_true(clod_clumps_find(&self->clumps, &all, &self->bonds, of, &status));
     assert_true(clod_clumps_sum_up(&self->clumps, &self->stats, &self->sizes, &status));
 }
 
@@ -177,8 +178,8 @@ static void a_region_cuts(void **state)
     for (int32_t k = 0; k < 4; k++) {
         graph_touch(&graph, k, k + 1, 2.0);
     }
-    clod_outlet box = {.low = {0.5, -1.0, -1.0}, .high = {3.5, 1.0, 1.0}};
-    clod_clump_choice choice = {.least = 2, .region = &box};
+    const clod_outlet box = {.low = {0.5, -1.0, -1.0}, .high = {3.5, 1.0, 1.0}};
+    clod_clump_choice choice = {.least = 2, .cuts = true, .region = box};
     find(&f, &graph, 1.0, &choice);
     assert_int_equal(f.clumps.count, 1);
     assert_int_equal(f.clumps.clump[0].grains, 3);
@@ -191,7 +192,7 @@ static void a_region_cuts(void **state)
                               .middle = {2.0, 0.0},
                               .inner = 0.9,
                               .outer = 2.1};
-    choice.region = &ring;
+    choice.region = ring;
     find(&f, &graph, 1.0, &choice);
     assert_int_equal(f.clumps.count, 2);
     assert_true(f.stats.grains == 4.0);
@@ -202,7 +203,7 @@ static void a_region_cuts(void **state)
     domain->min[0] = 0.0;
     domain->max[0] = 4.0;
     const clod_outlet start = {.low = {-0.1, -1.0, -1.0}, .high = {0.5, 1.0, 1.0}};
-    choice.region = &start;
+    choice.region = start;
     find(&f, &graph, 1.0, &choice);
     check_relative(f.clumps.grains_mass, 2.0 * mass_of(0.5), 1e-12);
     drop(&f);
@@ -284,8 +285,8 @@ static void random_graphs_as_by_hand(void **state)
             const int32_t number = f.clumps.of[g];
             assert_int_equal(number >= 0, together > 1);
             if (number >= 0) {
-                assert_int_equal(f.clumps.clump[number].id, least[g]);
-                assert_int_equal(f.clumps.clump[number].grains, together);
+                assert_int_equal(f.clumps.name[number].id, least[g]);
+                assert_int_equal(f.clumps.name[number].grains, together);
             }
         }
         drop(&f);
@@ -299,7 +300,7 @@ static void the_order_does_not_count(void **state)
     (void)state;
     const clod_outlet half = {.low = {0.0, -1.0, -1.0}, .high = {0.5, 1.0, 1.0}};
     const clod_clump_choice choice[3] = {
-        {.least = 2}, {.least = 3, .free = true}, {.least = 2, .region = &half}};
+        {.least = 2}, {.least = 3, .free = true}, {.least = 2, .cuts = true, .region = half}};
     for (uint64_t seed = 1; seed <= 20; seed++) {
         contact_graph graph, other = {0};
         found f, g;

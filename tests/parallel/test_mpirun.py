@@ -68,6 +68,9 @@ class Mpirun(clod.Case):
         last = clod.table(self.path("one/series.csv"))[-1]
         self.assertGreater(last["outlet_below.grains"], 10)
         self.assertGreater(last["gauge_all.grains"], 10)
+        self.assertGreater(last["clumps.grains"], 10)
+        self.assertGreater(last["clumps_low.grains"], 2)
+        self.assertGreater(last["belt.resting_mass"], 0)
 
     def test_groups_in_layers(self):
         self.assert_same_on((2, 3, 7), LAYERS)

@@ -4,6 +4,7 @@
 #include "measure/gauge_pass.h"
 #include "measure/mixing_grid.h"
 #include "measure/repose.h"
+#include "measure/resting_mass.h"
 #include "measure/stock.h"
 #include "measure/strength_grid.h"
 #include "step/crew_part.h"
@@ -35,6 +36,7 @@ typedef struct told {
     double center[2];
     clod_stock stock[3];
     clod_strength_cell strength[POINTS];
+    double resting[2][SCENE_WALLS]; ///< kg, slow and at any speed
 } told;
 
 typedef struct surveyed_bed {
@@ -84,6 +86,27 @@ static void ask_strength(const clod_survey *survey, told *to)
     assert_true(clod_strength_grid_add(&grid, survey, to->strength, &status));
 }
 
+static void ask_resting(const clod_survey *survey, told *to)
+{
+    clod_status status = {0};
+    const size_t walls = (size_t)survey->state->walls.count;
+    clod_resting_question *asked =
+        clod_memory_alloc(1, sizeof *asked + SCENE_WALLS * sizeof *asked->target);
+    clod_exact mass[SCENE_WALLS];
+    for (size_t w = 0; w < walls; w++) {
+        asked->target[w] = (clod_resting_target){(int32_t)w, 0, -1};
+    }
+    asked->count = walls;
+    for (int k = 0; k < 2; k++) {
+        asked->speed = k == 0 ? 1.0 : 100.0;
+        assert_true(clod_resting_mass(asked, survey, mass, &status));
+        for (size_t w = 0; w < walls; w++) {
+            to->resting[k][w] = clod_exact_value(&mass[w]);
+        }
+    }
+    clod_memory_free(asked);
+}
+
 static void ask(clod_step *step, told *to)
 {
     clod_status status = {0};
@@ -100,6 +123,7 @@ static void ask(clod_step *step, told *to)
     ask_fields(&survey, to);
     ask_stock(&survey, to);
     ask_strength(&survey, to);
+    ask_resting(&survey, to);
     assert_true(clod_mixing_grid_count(&mixing, &survey, to->mixing, &status));
     assert_true(clod_repose_center(&BOX, &survey, to->center, &status));
     memcpy(heap.center, to->center, sizeof heap.center);
@@ -137,10 +161,16 @@ static void check_full(const told looks[LOOKS], bool walls)
 {
     const told *of = &looks[LOOKS - 1];
     int touched = 0;
+    double slow = 0.0, resting = 0.0;
     for (int l = 0; l < LOOKS; l++) {
         touched += looks[l].contacts.walls > 0;
+        for (int w = 0; w < SCENE_WALLS; w++) {
+            slow += looks[l].resting[0][w];
+            resting += looks[l].resting[1][w];
+        }
     }
     assert_true(touched > 0 || !walls);
+    assert_true(resting > slow || !walls);
     assert_true(of->motion.grains > 100 && of->motion.loaded > 20 &&
                 of->motion.max_speed > 0.0);
     assert_true(of->contacts.pairs > 50);
@@ -173,6 +203,7 @@ static void check_same(const told *one, const told *other)
     assert_memory_equal(one->center, other->center, sizeof one->center);
     assert_memory_equal(one->stock, other->stock, sizeof one->stock);
     assert_memory_equal(one->strength, other->strength, sizeof one->strength);
+    assert_memory_equal(one->resting, other->resting, sizeof one->resting);
 }
 
 static void compare(surveyed_bed how)
