@@ -6,16 +6,33 @@
 #include "base/memory.h"
 #include "base/room.h"
 
+/** Cells that spheres touch on average, at most, as far as room is made ahead. */
+#define NOTES_MOST 8.0
+
 /** Cells first to last that a sphere touches in each direction. */
 typedef struct clod_insertion_range {
     int32_t first[3], last[3];
 } clod_insertion_range;
 
-bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
-                              const double high[3], const double period[3], double largest,
-                              size_t spheres, clod_status *status)
+/** Room for what is expected, so that nothing is copied while it grows; unused pages take no memory. */
+static bool reserve(clod_insertion_grid *self, size_t spheres)
 {
-    *self = (clod_insertion_grid){.largest = largest};
+    double cells = 1.0; // that a sphere touches
+    for (int a = 0; a < 3; a++) {
+        cells *= 1.0 + 2.0 * self->largest * self->inverse[a];
+    }
+    const size_t notes = (size_t)((double)spheres * fmin(cells, NOTES_MOST));
+    return clod_room_for(&self->sphere, &self->sphere_capacity, spheres,
+                         sizeof *self->sphere) &&
+           clod_room_for(&self->note, &self->capacity, notes, sizeof *self->note);
+}
+
+bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
+                               const double high[3], const double period[3], double largest,
+                               size_t spheres, clod_status *status)
+{
+    self->largest = largest;
+    self->count = self->sphere_count = self->added = 0;
     double volume = 1.0;
     for (int a = 0; a < 3; a++) {
         volume *= high[a] - low[a];
@@ -31,8 +48,8 @@ bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
         self->inverse[a] = self->cells[a] / (high[a] - low[a]);
         cells *= (size_t)self->cells[a];
     }
-    self->head = clod_memory_alloc(cells, sizeof *self->head);
-    if (self->head == NULL) {
+    if (!clod_room_for(&self->head, &self->head_capacity, cells, sizeof *self->head) ||
+        !reserve(self, spheres)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
     }
     memset(self->head, 0xff, cells * sizeof *self->head); // CLOD_INSERTION_NONE
@@ -82,6 +99,11 @@ static bool cell_clear(const clod_insertion_grid *self, size_t cell, const doubl
 
 bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double place[4])
 {
+    const size_t middle = cell_index(self, cell_of(self, 0, place[0]),
+                                     cell_of(self, 1, place[1]), cell_of(self, 2, place[2]));
+    if (!cell_clear(self, middle, place)) { // most of what is in the way is there
+        return false;
+    }
     const clod_insertion_range r = range_of(self, place);
     for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
         for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
@@ -162,15 +184,9 @@ static bool keep(clod_insertion_grid *self, const double place[4], clod_status *
     return true;
 }
 
-/** Note one image of a sphere, unless no sphere in the box can reach it. */
+/** Note one image of a sphere. */
 static bool add_image(clod_insertion_grid *self, const double place[4], clod_status *status)
 {
-    const double reach = place[3] + self->largest;
-    for (int a = 0; a < 3; a++) {
-        if (place[a] < self->low[a] - reach || place[a] > self->high[a] + reach) {
-            return true;
-        }
-    }
     if (!keep(self, place, status)) {
         return false;
     }
@@ -187,18 +203,32 @@ static bool add_image(clod_insertion_grid *self, const double place[4], clod_sta
     return true;
 }
 
+/** Coordinates of a sphere's images along an axis, if a sphere in the box can reach them; how many. */
+static int images(const clod_insertion_grid *self, int axis, const double place[4], double x[3])
+{
+    const double reach = place[3] + self->largest;
+    int count = 0;
+    for (int k = 0; k < (self->period[axis] > 0.0 ? 3 : 1); k++) {
+        const double turn = k == 2 ? -1.0 : (double)k; // itself first
+        const double moved = place[axis] + turn * self->period[axis];
+        if (moved >= self->low[axis] - reach && moved <= self->high[axis] + reach) {
+            x[count++] = moved;
+        }
+    }
+    return count;
+}
+
 bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
                              clod_status *status)
 {
-    for (int image = 0; image < 27; image++) {
-        const int turn[3] = {image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1};
-        double moved[4] = {place[0], place[1], place[2], place[3]};
-        bool wanted = true;
-        for (int a = 0; a < 3; a++) {
-            wanted &= turn[a] == 0 || self->period[a] > 0.0;
-            moved[a] += turn[a] * self->period[a];
-        }
-        if (wanted && !add_image(self, moved, status)) {
+    double x[3], y[3], z[3];
+    const int nx = images(self, 0, place, x);
+    const int ny = images(self, 1, place, y);
+    const int nz = images(self, 2, place, z);
+    for (int image = 0; image < nx * ny * nz; image++) {
+        const double moved[4] = {x[image % nx], y[image / nx % ny], z[image / nx / ny],
+                                 place[3]};
+        if (!add_image(self, moved, status)) {
             return false;
         }
     }

@@ -32,7 +32,8 @@ typedef struct clod_insertion_grid {
     double largest;         ///< m, radius of the largest sphere that is asked about
     double inverse[3];      ///< cells per metre
     int32_t cells[3];
-    uint32_t *head;                ///< [cells] first note, or CLOD_INSERTION_NONE; owned
+    uint32_t *head; ///< [cells] first note, or CLOD_INSERTION_NONE; owned
+    size_t head_capacity;
     clod_insertion_note *note;     ///< [count] owned
     clod_insertion_sphere *sphere; ///< [sphere_count] with images; owned
     size_t count, capacity, sphere_count, sphere_capacity;
@@ -42,14 +43,15 @@ typedef struct clod_insertion_grid {
 /**
  * An empty grid.
  *
+ * @param self       [in,out] zero, or a grid that is not needed any more, whose memory is used again
  * @param low, high  [3] bounding box of the positions that will be looked at [m]
  * @param period     [3] m; 0 where space is open
  * @param largest    radius of the largest sphere that will be asked about [m]
  * @param spheres    how many are expected: about one cell each
  */
-bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
-                              const double high[3], const double period[3], double largest,
-                              size_t spheres, clod_status *status);
+bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
+                               const double high[3], const double period[3], double largest,
+                               size_t spheres, clod_status *status);
 
 /** Whether a sphere overlaps none of those noted, nor their periodic images. */
 bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double place[4]);
@@ -61,7 +63,7 @@ bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double pla
 double clod_insertion_grid_overlap(const clod_insertion_grid *self, const double place[4],
                                    size_t *sphere);
 
-/** Note a sphere and its periodic images. */
+/** Note a sphere and its periodic images; itself, if it is in the box, first of them in `sphere`. */
 bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
                              clod_status *status);
 
