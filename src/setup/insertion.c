@@ -116,7 +116,7 @@ static bool scatter_init(scatter *self, clod_insertion_batch *batch,
 /** Centre of a grain that was put, and its radius with its clearance [m]. */
 static const double *scatter_place(const scatter *self, size_t g)
 {
-    return self->space->grid.sphere[self->sphere[g]].place;
+    return self->space->grid.sphere[self->sphere[g]];
 }
 
 static bool scatter_append(const scatter *self, clod_status *status)

@@ -6,25 +6,19 @@
 #include "base/memory.h"
 #include "base/room.h"
 
-/** Cells that spheres touch on average, at most, as far as room is made ahead. */
-#define NOTES_MOST 8.0
-
 /** Cells first to last that a sphere touches in each direction. */
 typedef struct clod_insertion_range {
     int32_t first[3], last[3];
 } clod_insertion_range;
 
-/** Room for what is expected, so that nothing is copied while it grows; unused pages take no memory. */
-static bool reserve(clod_insertion_grid *self, size_t spheres)
+/** Room for what is expected, so that little is copied while it grows: unused pages take no memory. */
+static bool reserve(clod_insertion_grid *self, size_t cells, size_t spheres)
 {
-    double cells = 1.0; // that a sphere touches
-    for (int a = 0; a < 3; a++) {
-        cells *= 1.0 + 2.0 * self->largest * self->inverse[a];
-    }
-    const size_t notes = (size_t)((double)spheres * fmin(cells, NOTES_MOST));
-    return clod_room_for(&self->sphere, &self->sphere_capacity, spheres,
+    return clod_room_for(&self->cell, &self->cell_capacity, cells + cells / 2,
+                         sizeof *self->cell) &&
+           clod_room_for(&self->sphere, &self->sphere_capacity, spheres,
                          sizeof *self->sphere) &&
-           clod_room_for(&self->note, &self->capacity, notes, sizeof *self->note);
+           clod_room_for(&self->number, &self->number_capacity, spheres, sizeof *self->number);
 }
 
 bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
@@ -32,7 +26,7 @@ bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
                                size_t spheres, clod_status *status)
 {
     self->largest = largest;
-    self->count = self->sphere_count = self->added = 0;
+    self->sphere_count = self->added = 0;
     double volume = 1.0;
     for (int a = 0; a < 3; a++) {
         volume *= high[a] - low[a];
@@ -48,11 +42,11 @@ bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
         self->inverse[a] = self->cells[a] / (high[a] - low[a]);
         cells *= (size_t)self->cells[a];
     }
-    if (!clod_room_for(&self->head, &self->head_capacity, cells, sizeof *self->head) ||
-        !reserve(self, spheres)) {
+    if (!reserve(self, cells, spheres)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
     }
-    memset(self->head, 0xff, cells * sizeof *self->head); // CLOD_INSERTION_NONE
+    self->cell_count = cells;
+    memset(self->cell, 0xff, cells * sizeof *self->cell); // CLOD_INSERTION_NONE
     return true;
 }
 
@@ -87,11 +81,15 @@ static size_t cell_index(const clod_insertion_grid *self, int32_t x, int32_t y, 
            (size_t)x;
 }
 
-static bool cell_clear(const clod_insertion_grid *self, size_t cell, const double place[4])
+static bool cell_clear(const clod_insertion_grid *self, size_t c, const double place[4])
 {
-    for (uint32_t n = self->head[cell]; n != CLOD_INSERTION_NONE; n = self->note[n].next) {
-        if (!apart(place, self->sphere[self->note[n].sphere].place)) {
-            return false;
+    for (; c != CLOD_INSERTION_NONE; c = self->cell[c].more) {
+        const clod_insertion_cell *cell = &self->cell[c];
+        for (int k = 0; k < CLOD_INSERTION_NOTES && cell->sphere[k] != CLOD_INSERTION_NONE;
+             k++) {
+            if (!apart(place, self->sphere[cell->sphere[k]])) {
+                return false;
+            }
         }
     }
     return true;
@@ -117,21 +115,24 @@ bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double pla
     return true;
 }
 
-/** Raise *worst to the largest overlap with the spheres noted in a cell. */
-static void cell_overlap(const clod_insertion_grid *self, size_t cell, const double place[4],
+/** Raise *worst to the largest overlap with the spheres noted in a cell, the newest first. */
+static void cell_overlap(const clod_insertion_grid *self, size_t c, const double place[4],
                          double *worst, size_t *sphere)
 {
-    for (uint32_t n = self->head[cell]; n != CLOD_INSERTION_NONE; n = self->note[n].next) {
-        const clod_insertion_sphere *sphere_there = &self->sphere[self->note[n].sphere];
-        const double *other = sphere_there->place;
-        if (!apart(place, other)) {
+    for (; c != CLOD_INSERTION_NONE; c = self->cell[c].more) {
+        for (int k = CLOD_INSERTION_NOTES - 1; k >= 0; k--) {
+            const uint32_t note = self->cell[c].sphere[k];
+            if (note == CLOD_INSERTION_NONE || apart(place, self->sphere[note])) {
+                continue;
+            }
+            const double *other = self->sphere[note];
             const double x = place[0] - other[0];
             const double y = place[1] - other[1];
             const double z = place[2] - other[2];
             const double overlap = place[3] + other[3] - sqrt(x * x + y * y + z * z);
             if (overlap > *worst) {
                 *worst = overlap;
-                *sphere = sphere_there->number;
+                *sphere = self->number[note];
             }
         }
     }
@@ -157,16 +158,26 @@ static bool fail_without_room(clod_status *status)
     return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
 }
 
-/** Note the sphere that was kept last in a cell. Notes and spheres are counted with 32 bits. */
-static bool note_in(clod_insertion_grid *self, size_t cell, clod_status *status)
+/** Note the sphere that was kept last in a cell. Cells and spheres are counted with 32 bits. */
+static bool note_in(clod_insertion_grid *self, size_t c, clod_status *status)
 {
-    if (self->count == CLOD_INSERTION_NONE ||
-        !clod_room_for_one(&self->note, &self->capacity, self->count, sizeof *self->note)) {
+    const uint32_t sphere = (uint32_t)(self->sphere_count - 1);
+    uint32_t *note = self->cell[c].sphere;
+    for (int k = 0; k < CLOD_INSERTION_NOTES; k++) {
+        if (note[k] == CLOD_INSERTION_NONE) {
+            note[k] = sphere;
+            return true;
+        }
+    }
+    if (self->cell_count == CLOD_INSERTION_NONE ||
+        !clod_room_for_one(&self->cell, &self->cell_capacity, self->cell_count,
+                           sizeof *self->cell)) {
         return fail_without_room(status);
     }
-    self->note[self->count] =
-        (clod_insertion_note){(uint32_t)(self->sphere_count - 1), self->head[cell]};
-    self->head[cell] = (uint32_t)self->count++;
+    self->cell[self->cell_count] = self->cell[c]; // the older ones
+    memset(&self->cell[c], 0xff, sizeof *self->cell);
+    self->cell[c].sphere[0] = sphere;
+    self->cell[c].more = (uint32_t)self->cell_count++;
     return true;
 }
 
@@ -175,12 +186,13 @@ static bool keep(clod_insertion_grid *self, const double place[4], clod_status *
 {
     if (self->sphere_count == CLOD_INSERTION_NONE ||
         !clod_room_for_one(&self->sphere, &self->sphere_capacity, self->sphere_count,
-                           sizeof *self->sphere)) {
+                           sizeof *self->sphere) ||
+        !clod_room_for_one(&self->number, &self->number_capacity, self->sphere_count,
+                           sizeof *self->number)) {
         return fail_without_room(status);
     }
-    clod_insertion_sphere *sphere = &self->sphere[self->sphere_count++];
-    memcpy(sphere->place, place, sizeof sphere->place);
-    sphere->number = (uint32_t)self->added;
+    memcpy(self->sphere[self->sphere_count], place, sizeof *self->sphere);
+    self->number[self->sphere_count++] = (uint32_t)self->added;
     return true;
 }
 
@@ -238,8 +250,8 @@ bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
 
 void clod_insertion_grid_fini(clod_insertion_grid *self)
 {
-    clod_memory_free(self->head);
-    clod_memory_free(self->note);
+    clod_memory_free(self->cell);
     clod_memory_free(self->sphere);
+    clod_memory_free(self->number);
     *self = (clod_insertion_grid){0};
 }
