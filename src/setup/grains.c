@@ -65,7 +65,8 @@ static double expect_coming(const clod_case *from, const clod_case_grains *group
     return ceil(group->mass > 0.0 ? fmin(grains, group->mass / mass) : grains);
 }
 
-bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status *status)
+bool clod_setup_grains_expect(const clod_case *from, double share, double *grains,
+                              clod_status *status)
 {
     *grains = 0.0;
     bool good = true;
@@ -81,7 +82,7 @@ bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status
         } else if (good) {
             const clod_amount amount = group_amount(from, k, &sizes, key);
             *grains += clod_amount_expect(&amount);
-            good = clod_amount_fits(key, *grains, 1.0, status);
+            good = clod_amount_fits(key, *grains, share, status);
         }
         clod_sizes_fini(&sizes);
     }
