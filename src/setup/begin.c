@@ -54,11 +54,11 @@ bool clod_begin_has_grains(const clod_case *from, clod_status *status)
                             from->path);
 }
 
-bool clod_begin_expect(const clod_case *from, double *grains, clod_status *status)
+bool clod_begin_expect(const clod_case *from, double share, double *grains, clod_status *status)
 {
     const cell *row = &CELL[clod_case_kind_of(from)];
     if (row->amount == NULL) {
-        return clod_setup_grains_expect(from, grains, status);
+        return clod_setup_grains_expect(from, share, grains, status);
     }
     clod_sizes sizes;
     clod_amount amount;
@@ -108,7 +108,7 @@ static bool thin_groups(clod_case *thin, double share, clod_status *status)
         double grains;
         one.grains = &thin->grains[k];
         one.grains_count = 1;
-        if (!clod_setup_grains_expect(&one, &grains, status)) {
+        if (!clod_setup_grains_expect(&one, 0.0, &grains, status)) {
             return false;
         }
         clod_case_grains *group = &thin->grains[k];

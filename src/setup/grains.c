@@ -65,7 +65,8 @@ static double expect_coming(const clod_case *from, const clod_case_grains *group
     return ceil(group->mass > 0.0 ? fmin(grains, group->mass / mass) : grains);
 }
 
-bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status *status)
+bool clod_setup_grains_expect(const clod_case *from, double share, double *grains,
+                              clod_status *status)
 {
     *grains = 0.0;
     bool good = true;
@@ -81,7 +82,7 @@ bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status
         } else if (good) {
             const clod_amount amount = group_amount(from, k, &sizes, key);
             *grains += clod_amount_expect(&amount);
-            good = clod_amount_fits(key, *grains, 1.0, status);
+            good = clod_amount_fits(key, *grains, share, status);
         }
         clod_sizes_fini(&sizes);
     }
@@ -245,9 +246,10 @@ bool clod_setup_grains_in_pieces(const clod_case *from)
     return good;
 }
 
-/** What is known of all groups before the first grain is made: their number, and the largest. */
+/** What is known of all groups before the first grain is made: their number, and what each takes.
+ *  @param extents  [groups] */
 static bool plan_all(const clod_case *from, int64_t seed, clod_setup_pieces *pieces,
-                     size_t *grains, clod_status *status)
+                     clod_insertion_extent *extents, size_t *grains, clod_status *status)
 {
     uint64_t next_id = 1;
     bool good = true;
@@ -257,11 +259,9 @@ static bool plan_all(const clod_case *from, int64_t seed, clod_setup_pieces *pie
         }
         group_plan group;
         good = plan_group(&group, from, k, seed, pieces->taker->share, &next_id, status);
-        const clod_insertion *what = &group.what;
-        for (size_t g = 0; good && g < what->count; g++) {
-            const double radius =
-                clod_sizes_radius(what->sizes, what->seed, what->first_id + g);
-            pieces->diameter = fmax(pieces->diameter, 2.0 * radius);
+        if (good) {
+            extents[k] = clod_insertion_measure(&group.what);
+            pieces->diameter = fmax(pieces->diameter, 2.0 * extents[k].largest);
         }
         clod_sizes_fini(&group.sizes);
     }
@@ -271,7 +271,7 @@ static bool plan_all(const clod_case *from, int64_t seed, clod_setup_pieces *pie
 
 /** Make one group after the other; each is given away before the next. */
 static bool give_groups(const clod_case *from, int64_t seed, clod_setup_pieces *pieces,
-                        clod_status *status)
+                        const clod_insertion_extent *extents, clod_status *status)
 {
     uint64_t next_id = 1;
     bool good = true;
@@ -283,6 +283,7 @@ static bool give_groups(const clod_case *from, int64_t seed, clod_setup_pieces *
         pieces->some = next_id > 1;
         good = plan_group(&group, from, k, seed, pieces->taker->share, &next_id, status);
         group.what.pieces = pieces;
+        group.what.extent = &extents[k];
         good = good && clod_insert_region(pieces->state, &group.what, status) &&
                clod_setup_pieces_give(pieces, true, status);
         clod_sizes_fini(&group.sizes);
@@ -295,10 +296,16 @@ bool clod_setup_grains_give(const clod_case *from, int64_t seed, const clod_setu
 {
     clod_setup_pieces pieces = {.taker = taker, .from = from, .state = state, .tally = tally};
     size_t grains;
-    bool good = plan_all(from, seed, &pieces, &grains, status) &&
+    clod_insertion_extent *extents = clod_memory_alloc(from->grains_count, sizeof *extents);
+    if (extents == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for %zu groups of grains",
+                                from->grains_count);
+    }
+    bool good = plan_all(from, seed, &pieces, extents, &grains, status) &&
                 clod_setup_tally_init(tally, from, state, grains, status) &&
                 taker->begin(taker->context, state, grains, status) &&
-                give_groups(from, seed, &pieces, status);
+                give_groups(from, seed, &pieces, extents, status);
+    clod_memory_free(extents);
     if (good && pieces.outside.code != CLOD_OK) {
         *status = pieces.outside;
         good = false;
@@ -324,9 +331,9 @@ bool clod_setup_worst_overlap(const clod_state *state, clod_setup_overlap *worst
     for (size_t g = 0; g < grains->count; g++) {
         largest = fmax(largest, grains->position[g][3]);
     }
-    clod_insertion_grid grid;
+    clod_insertion_grid grid = {0};
     bool good =
-        clod_insertion_grid_init(&grid, low, high, period, largest, grains->count, status);
+        clod_insertion_grid_begin(&grid, low, high, period, largest, grains->count, status);
     for (size_t g = 0; good && g < grains->count; g++) {
         const double *place = grains->position[g];
         size_t other = 0;

@@ -12,9 +12,12 @@ size_t clod_setup_grains_coming(const clod_case *from);
 
 /**
  * Number of grains to expect of all groups, without making one; those of files do not count.
+ *
+ * @param share  of them, that this machine has to hold; 0: none
  * Errors  CLOD_USAGE: more than this machine can hold; CLOD_FAILED.   Threads  pure.
  */
-bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status *status);
+bool clod_setup_grains_expect(const clod_case *from, double share, double *grains,
+                              clod_status *status);
 
 /**
  * Mass of all grains that the case asks for [kg]; 0 when a group does not say one, neither by

@@ -27,6 +27,17 @@ double clod_insertion_batch_radius(const clod_insertion_batch *self, size_t g)
     return clod_sizes_radius(what->sizes, what->seed, what->first_id + g);
 }
 
+clod_insertion_extent clod_insertion_measure(const clod_insertion *self)
+{
+    clod_insertion_extent extent = {0};
+    for (size_t g = 0; g < self->count; g++) {
+        const double radius = clod_sizes_radius(self->sizes, self->seed, self->first_id + g);
+        extent.largest = fmax(extent.largest, radius);
+        extent.volume += 4.0 / 3.0 * M_PI * radius * radius * radius;
+    }
+    return extent;
+}
+
 static bool batch_init(clod_insertion_batch *self, clod_state *state,
                        const clod_insertion *what, clod_status *status)
 {
@@ -34,21 +45,18 @@ static bool batch_init(clod_insertion_batch *self, clod_state *state,
     if (!clod_limits_grains(self->before + what->count, status)) {
         return false;
     }
-    for (size_t g = 0; g < what->count; g++) {
-        const double radius = clod_insertion_batch_radius(self, g);
-        self->largest = fmax(self->largest, radius * (1.0 + CLOD_INSERTION_CLEARANCE));
-        self->volume += 4.0 / 3.0 * M_PI * radius * radius * radius;
-    }
+    const clod_insertion_extent extent =
+        what->extent != NULL ? *what->extent : clod_insertion_measure(what);
+    self->largest = extent.largest * (1.0 + CLOD_INSERTION_CLEARANCE);
+    self->volume = extent.volume;
     return true;
 }
 
-bool clod_insertion_batch_put(const clod_insertion_batch *self, size_t g, const double place[3],
-                              clod_status *status)
+bool clod_insertion_batch_put(const clod_insertion_batch *self, size_t g,
+                              const double sphere[4], clod_status *status)
 {
     const clod_insertion *what = self->what;
     const double spin[3] = {0.0, 0.0, 0.0};
-    const double sphere[4] = {place[0], place[1], place[2],
-                              clod_insertion_batch_radius(self, g)};
     return clod_grains_add(&self->state->grains, sphere, what->velocity, spin, what->density,
                            what->material, what->first_id + g, status) &&
            (what->pieces == NULL || clod_setup_pieces_give(what->pieces, false, status));
@@ -88,23 +96,37 @@ bool clod_insertion_batch_no_room(const clod_insertion_batch *batch,
 typedef struct scatter {
     clod_insertion_batch *batch;
     clod_insertion_space *space;
-    double (*place)[3]; ///< [count] m; owned
+    uint32_t *sphere; ///< [count] where the grid has them; owned
 } scatter;
+
+static bool fail_without_memory(const clod_insertion_batch *batch, clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains",
+                            batch->what->count);
+}
 
 static bool scatter_init(scatter *self, clod_insertion_batch *batch,
                          clod_insertion_space *space, clod_status *status)
 {
     const size_t count = batch->what->count;
-    *self = (scatter){batch, space, clod_memory_alloc(count + 1, sizeof *self->place)};
-    return self->place != NULL ||
-           clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
+    *self = (scatter){batch, space, clod_memory_alloc(count + 1, sizeof *self->sphere)};
+    return self->sphere != NULL || fail_without_memory(batch, status);
+}
+
+/** Centre of a grain that was put, and its radius with its clearance [m]. */
+static const double *scatter_place(const scatter *self, size_t g)
+{
+    return self->space->grid.sphere[self->sphere[g]];
 }
 
 static bool scatter_append(const scatter *self, clod_status *status)
 {
     bool good = true;
     for (size_t g = 0; good && g < self->batch->what->count; g++) {
-        good = clod_insertion_batch_put(self->batch, g, self->place[g], status);
+        const double *place = scatter_place(self, g);
+        const double sphere[4] = {place[0], place[1], place[2],
+                                  clod_insertion_batch_radius(self->batch, g)};
+        good = clod_insertion_batch_put(self->batch, g, sphere, status);
     }
     return good;
 }
@@ -117,7 +139,7 @@ static bool try_place(const scatter *self, size_t g, const double place[4], bool
     if (!*put) {
         return true;
     }
-    memcpy(self->place[g], place, sizeof *self->place);
+    self->sphere[g] = (uint32_t)self->space->grid.sphere_count;
     self->batch->reached++;
     return clod_insertion_space_take(self->space, place, status);
 }
@@ -142,28 +164,40 @@ static bool try_random(const scatter *self, size_t g, const double range[2], uin
     return true;
 }
 
-/** All grains at random positions, large ones first; stops at the first that finds none. */
-static bool fill_random(const scatter *self, clod_status *status)
+/** Numbers of all grains, large ones first; owned by the caller. NULL without memory. */
+static uint32_t *order_by_size(const clod_insertion_batch *batch)
 {
-    const size_t count = self->batch->what->count;
+    const size_t count = batch->what->count;
     clod_sort_item *items = clod_memory_alloc(2 * count, sizeof *items);
-    if (items == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
-    }
-    for (size_t g = 0; g < count; g++) {
-        const double radius = clod_insertion_batch_radius(self->batch, g);
+    uint32_t *order = clod_memory_alloc(count, sizeof *order);
+    for (size_t g = 0; items != NULL && g < count; g++) {
+        const double radius = clod_insertion_batch_radius(batch, g);
         uint64_t bits; // positive doubles have the order of their bits
         memcpy(&bits, &radius, sizeof bits);
         items[g] = (clod_sort_item){.key = ~bits, .index = g};
     }
-    clod_sort(items, items + count, count);
+    if (items != NULL && order != NULL) {
+        clod_sort(items, items + count, count);
+        for (size_t k = 0; k < count; k++) {
+            order[k] = (uint32_t)items[k].index;
+        }
+    } else {
+        clod_memory_free(order);
+        order = NULL;
+    }
+    clod_memory_free(items);
+    return order;
+}
+
+/** All grains at random positions, in an order; stops at the first that finds none. */
+static bool fill_random(const scatter *self, const uint32_t *order, clod_status *status)
+{
     const double range[2] = {self->space->low[2], self->space->high[2]};
     bool good = true;
     bool put = true;
-    for (size_t k = 0; good && put && k < count; k++) {
-        good = try_random(self, items[k].index, range, 0, TRIES, &put, status);
+    for (size_t k = 0; good && put && k < self->batch->what->count; k++) {
+        good = try_random(self, order[k], range, 0, TRIES, &put, status);
     }
-    clod_memory_free(items);
     return good;
 }
 
@@ -172,12 +206,17 @@ static bool scatter_all(clod_insertion_batch *batch, clod_insertion_space *space
                         clod_status *status)
 {
     scatter self;
-    const bool good = scatter_init(&self, batch, space, status) &&
-                      clod_insertion_space_band(space, space->low[2], space->high[2],
-                                                batch->what->count, status) &&
-                      fill_random(&self, status) &&
-                      (batch->reached < batch->what->count || scatter_append(&self, status));
-    clod_memory_free(self.place);
+    uint32_t *order = order_by_size(batch);
+    const bool good =
+        scatter_init(&self, batch, space, status) &&
+        (order != NULL || fail_without_memory(batch, status)) &&
+        clod_insertion_space_block(space, space->low[2], space->high[2], status) &&
+        clod_insertion_space_band(space, space->low[2], space->high[2], batch->what->count,
+                                  status) &&
+        fill_random(&self, order, status) &&
+        (batch->reached < batch->what->count || scatter_append(&self, status));
+    clod_memory_free(order);
+    clod_memory_free(self.sphere);
     return good;
 }
 
@@ -232,8 +271,8 @@ static bool fill_column(const scatter *self, double *height, clod_status *status
             range[1] += put ? 0.0 : 0.5 * r;
             range[0] = fmax(space->low[2], range[1] - 8.0 * r);
         }
-        *height =
-            fmax(*height, self->place[g][2] + clod_insertion_batch_radius(self->batch, g));
+        *height = fmax(*height,
+                       scatter_place(self, g)[2] + clod_insertion_batch_radius(self->batch, g));
     }
     return true;
 }
@@ -257,6 +296,6 @@ bool clod_insert_annulus_column(clod_state *state, const clod_insertion *what, d
                                      status) &&
            fill_column(&self, height, status) && scatter_append(&self, status);
     clod_insertion_space_fini(&space);
-    clod_memory_free(self.place);
+    clod_memory_free(self.sphere);
     return good;
 }

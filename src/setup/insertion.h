@@ -9,6 +9,12 @@
 #include "setup/pieces.h"
 #include "state/state.h"
 
+/** What a group of grains takes. */
+typedef struct clod_insertion_extent {
+    double largest; ///< m, radius of the largest
+    double volume;  ///< m3, of all grains
+} clod_insertion_extent;
+
 /** A group of grains to put. */
 typedef struct clod_insertion {
     const char *name; ///< of the group in messages, for instance "grains.0"
@@ -18,11 +24,15 @@ typedef struct clod_insertion {
     uint64_t first_id; ///< ids are first_id, first_id + 1, ...
     size_t count;
     uint16_t material;
-    double density;     ///< kg/m3
-    double velocity[3]; ///< m/s
+    double density;                      ///< kg/m3
+    double velocity[3];                  ///< m/s
+    const clod_insertion_extent *extent; ///< borrowed; NULL: worked out when they are put
     clod_setup_pieces
         *pieces; ///< grains are given to it as they are made; NULL: the state keeps all
 } clod_insertion;
+
+/** What they take, from their sizes; `extent` is not read. Threads: pure. */
+clod_insertion_extent clod_insertion_measure(const clod_insertion *self);
 
 /**
  * Put grains at random positions in a region, the largest first. When they are too many for

@@ -26,9 +26,9 @@ double clod_insertion_batch_radius(const clod_insertion_batch *self, size_t g);
 void clod_insertion_batch_draw(const clod_insertion_batch *self, size_t g, uint64_t number,
                                double u[3]);
 
-/** Append grain number g, with its centre [m]; the next one has the next number. */
-bool clod_insertion_batch_put(const clod_insertion_batch *self, size_t g, const double place[3],
-                              clod_status *status);
+/** Append grain number g, with its centre and its radius [m]; the next one has the next number. */
+bool clod_insertion_batch_put(const clod_insertion_batch *self, size_t g,
+                              const double sphere[4], clod_status *status);
 
 /** Say that they do not fit; false. */
 bool clod_insertion_batch_no_room(const clod_insertion_batch *self,

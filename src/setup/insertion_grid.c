@@ -11,11 +11,22 @@ typedef struct clod_insertion_range {
     int32_t first[3], last[3];
 } clod_insertion_range;
 
-bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
-                              const double high[3], const double period[3], double largest,
-                              size_t spheres, clod_status *status)
+/** Room for what is expected, so that little is copied while it grows: unused pages take no memory. */
+static bool reserve(clod_insertion_grid *self, size_t cells, size_t spheres)
 {
-    *self = (clod_insertion_grid){.largest = largest};
+    return clod_room_for(&self->cell, &self->cell_capacity, cells + cells / 2,
+                         sizeof *self->cell) &&
+           clod_room_for(&self->sphere, &self->sphere_capacity, spheres,
+                         sizeof *self->sphere) &&
+           clod_room_for(&self->number, &self->number_capacity, spheres, sizeof *self->number);
+}
+
+bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
+                               const double high[3], const double period[3], double largest,
+                               size_t spheres, clod_status *status)
+{
+    self->largest = largest;
+    self->sphere_count = self->added = 0;
     double volume = 1.0;
     for (int a = 0; a < 3; a++) {
         volume *= high[a] - low[a];
@@ -31,11 +42,11 @@ bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
         self->inverse[a] = self->cells[a] / (high[a] - low[a]);
         cells *= (size_t)self->cells[a];
     }
-    self->head = clod_memory_alloc(cells, sizeof *self->head);
-    if (self->head == NULL) {
+    if (!reserve(self, cells, spheres)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
     }
-    memset(self->head, 0xff, cells * sizeof *self->head); // CLOD_INSERTION_NONE
+    self->cell_count = cells;
+    memset(self->cell, 0xff, cells * sizeof *self->cell); // CLOD_INSERTION_NONE
     return true;
 }
 
@@ -70,11 +81,15 @@ static size_t cell_index(const clod_insertion_grid *self, int32_t x, int32_t y, 
            (size_t)x;
 }
 
-static bool cell_clear(const clod_insertion_grid *self, size_t cell, const double place[4])
+static bool cell_clear(const clod_insertion_grid *self, size_t c, const double place[4])
 {
-    for (uint32_t n = self->head[cell]; n != CLOD_INSERTION_NONE; n = self->note[n].next) {
-        if (!apart(place, self->sphere[self->note[n].sphere].place)) {
-            return false;
+    for (; c != CLOD_INSERTION_NONE; c = self->cell[c].more) {
+        const clod_insertion_cell *cell = &self->cell[c];
+        for (int k = 0; k < CLOD_INSERTION_NOTES && cell->sphere[k] != CLOD_INSERTION_NONE;
+             k++) {
+            if (!apart(place, self->sphere[cell->sphere[k]])) {
+                return false;
+            }
         }
     }
     return true;
@@ -82,6 +97,11 @@ static bool cell_clear(const clod_insertion_grid *self, size_t cell, const doubl
 
 bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double place[4])
 {
+    const size_t middle = cell_index(self, cell_of(self, 0, place[0]),
+                                     cell_of(self, 1, place[1]), cell_of(self, 2, place[2]));
+    if (!cell_clear(self, middle, place)) { // most of what is in the way is there
+        return false;
+    }
     const clod_insertion_range r = range_of(self, place);
     for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
         for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
@@ -95,21 +115,24 @@ bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double pla
     return true;
 }
 
-/** Raise *worst to the largest overlap with the spheres noted in a cell. */
-static void cell_overlap(const clod_insertion_grid *self, size_t cell, const double place[4],
+/** Raise *worst to the largest overlap with the spheres noted in a cell, the newest first. */
+static void cell_overlap(const clod_insertion_grid *self, size_t c, const double place[4],
                          double *worst, size_t *sphere)
 {
-    for (uint32_t n = self->head[cell]; n != CLOD_INSERTION_NONE; n = self->note[n].next) {
-        const clod_insertion_sphere *sphere_there = &self->sphere[self->note[n].sphere];
-        const double *other = sphere_there->place;
-        if (!apart(place, other)) {
+    for (; c != CLOD_INSERTION_NONE; c = self->cell[c].more) {
+        for (int k = CLOD_INSERTION_NOTES - 1; k >= 0; k--) {
+            const uint32_t note = self->cell[c].sphere[k];
+            if (note == CLOD_INSERTION_NONE || apart(place, self->sphere[note])) {
+                continue;
+            }
+            const double *other = self->sphere[note];
             const double x = place[0] - other[0];
             const double y = place[1] - other[1];
             const double z = place[2] - other[2];
             const double overlap = place[3] + other[3] - sqrt(x * x + y * y + z * z);
             if (overlap > *worst) {
                 *worst = overlap;
-                *sphere = sphere_there->number;
+                *sphere = self->number[note];
             }
         }
     }
@@ -135,16 +158,26 @@ static bool fail_without_room(clod_status *status)
     return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
 }
 
-/** Note the sphere that was kept last in a cell. Notes and spheres are counted with 32 bits. */
-static bool note_in(clod_insertion_grid *self, size_t cell, clod_status *status)
+/** Note the sphere that was kept last in a cell. Cells and spheres are counted with 32 bits. */
+static bool note_in(clod_insertion_grid *self, size_t c, clod_status *status)
 {
-    if (self->count == CLOD_INSERTION_NONE ||
-        !clod_room_for_one(&self->note, &self->capacity, self->count, sizeof *self->note)) {
+    const uint32_t sphere = (uint32_t)(self->sphere_count - 1);
+    uint32_t *note = self->cell[c].sphere;
+    for (int k = 0; k < CLOD_INSERTION_NOTES; k++) {
+        if (note[k] == CLOD_INSERTION_NONE) {
+            note[k] = sphere;
+            return true;
+        }
+    }
+    if (self->cell_count == CLOD_INSERTION_NONE ||
+        !clod_room_for_one(&self->cell, &self->cell_capacity, self->cell_count,
+                           sizeof *self->cell)) {
         return fail_without_room(status);
     }
-    self->note[self->count] =
-        (clod_insertion_note){(uint32_t)(self->sphere_count - 1), self->head[cell]};
-    self->head[cell] = (uint32_t)self->count++;
+    self->cell[self->cell_count] = self->cell[c]; // the older ones
+    memset(&self->cell[c], 0xff, sizeof *self->cell);
+    self->cell[c].sphere[0] = sphere;
+    self->cell[c].more = (uint32_t)self->cell_count++;
     return true;
 }
 
@@ -153,24 +186,19 @@ static bool keep(clod_insertion_grid *self, const double place[4], clod_status *
 {
     if (self->sphere_count == CLOD_INSERTION_NONE ||
         !clod_room_for_one(&self->sphere, &self->sphere_capacity, self->sphere_count,
-                           sizeof *self->sphere)) {
+                           sizeof *self->sphere) ||
+        !clod_room_for_one(&self->number, &self->number_capacity, self->sphere_count,
+                           sizeof *self->number)) {
         return fail_without_room(status);
     }
-    clod_insertion_sphere *sphere = &self->sphere[self->sphere_count++];
-    memcpy(sphere->place, place, sizeof sphere->place);
-    sphere->number = (uint32_t)self->added;
+    memcpy(self->sphere[self->sphere_count], place, sizeof *self->sphere);
+    self->number[self->sphere_count++] = (uint32_t)self->added;
     return true;
 }
 
-/** Note one image of a sphere, unless no sphere in the box can reach it. */
+/** Note one image of a sphere. */
 static bool add_image(clod_insertion_grid *self, const double place[4], clod_status *status)
 {
-    const double reach = place[3] + self->largest;
-    for (int a = 0; a < 3; a++) {
-        if (place[a] < self->low[a] - reach || place[a] > self->high[a] + reach) {
-            return true;
-        }
-    }
     if (!keep(self, place, status)) {
         return false;
     }
@@ -187,18 +215,32 @@ static bool add_image(clod_insertion_grid *self, const double place[4], clod_sta
     return true;
 }
 
+/** Coordinates of a sphere's images along an axis, if a sphere in the box can reach them; how many. */
+static int images(const clod_insertion_grid *self, int axis, const double place[4], double x[3])
+{
+    const double reach = place[3] + self->largest;
+    int count = 0;
+    for (int k = 0; k < (self->period[axis] > 0.0 ? 3 : 1); k++) {
+        const double turn = k == 2 ? -1.0 : (double)k; // itself first
+        const double moved = place[axis] + turn * self->period[axis];
+        if (moved >= self->low[axis] - reach && moved <= self->high[axis] + reach) {
+            x[count++] = moved;
+        }
+    }
+    return count;
+}
+
 bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
                              clod_status *status)
 {
-    for (int image = 0; image < 27; image++) {
-        const int turn[3] = {image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1};
-        double moved[4] = {place[0], place[1], place[2], place[3]};
-        bool wanted = true;
-        for (int a = 0; a < 3; a++) {
-            wanted &= turn[a] == 0 || self->period[a] > 0.0;
-            moved[a] += turn[a] * self->period[a];
-        }
-        if (wanted && !add_image(self, moved, status)) {
+    double x[3], y[3], z[3];
+    const int nx = images(self, 0, place, x);
+    const int ny = images(self, 1, place, y);
+    const int nz = images(self, 2, place, z);
+    for (int image = 0; image < nx * ny * nz; image++) {
+        const double moved[4] = {x[image % nx], y[image / nx % ny], z[image / nx / ny],
+                                 place[3]};
+        if (!add_image(self, moved, status)) {
             return false;
         }
     }
@@ -208,8 +250,8 @@ bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
 
 void clod_insertion_grid_fini(clod_insertion_grid *self)
 {
-    clod_memory_free(self->head);
-    clod_memory_free(self->note);
+    clod_memory_free(self->cell);
     clod_memory_free(self->sphere);
+    clod_memory_free(self->number);
     *self = (clod_insertion_grid){0};
 }

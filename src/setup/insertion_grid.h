@@ -11,20 +11,18 @@
 
 #include "clod/status.h"
 
-/** A sphere, or an image of one. */
-typedef struct clod_insertion_sphere {
-    double place[4]; ///< centre and radius [m]
-    uint32_t number; ///< how many spheres were added before it
-} clod_insertion_sphere;
-
-/** At the end of a cell's notes. */
+/** No sphere, and no cell. */
 #define CLOD_INSERTION_NONE UINT32_MAX
 
-/** A sphere as noted in one cell. */
-typedef struct clod_insertion_note {
-    uint32_t sphere; ///< which of those in the grid
-    uint32_t next;   ///< next note of the cell, CLOD_INSERTION_NONE at the end
-} clod_insertion_note;
+/** Spheres that a cell has room for itself. */
+#define CLOD_INSERTION_NOTES 7
+
+/** The spheres that touch a cell; those that have no room there are in another, behind the cells of space.
+ *  Half a cache line: what is asked most waits for memory. */
+typedef struct clod_insertion_cell {
+    uint32_t sphere[CLOD_INSERTION_NOTES]; ///< the first ones; CLOD_INSERTION_NONE behind them
+    uint32_t more;                         ///< CLOD_INSERTION_NONE: none
+} clod_insertion_cell;
 
 typedef struct clod_insertion_grid {
     double low[3], high[3]; ///< m; spheres beyond are noted in the cells of the border
@@ -32,24 +30,26 @@ typedef struct clod_insertion_grid {
     double largest;         ///< m, radius of the largest sphere that is asked about
     double inverse[3];      ///< cells per metre
     int32_t cells[3];
-    uint32_t *head;                ///< [cells] first note, or CLOD_INSERTION_NONE; owned
-    clod_insertion_note *note;     ///< [count] owned
-    clod_insertion_sphere *sphere; ///< [sphere_count] with images; owned
-    size_t count, capacity, sphere_count, sphere_capacity;
+    clod_insertion_cell *cell; ///< [cell_count] those of space, x first, and others; owned
+    size_t cell_count, cell_capacity;
+    double (*sphere)[4]; ///< [sphere_count] centre and radius, with images [m]; owned
+    uint32_t *number;    ///< [sphere_count] how many were added before it or its image; owned
+    size_t sphere_count, sphere_capacity, number_capacity;
     size_t added; ///< spheres
 } clod_insertion_grid;
 
 /**
  * An empty grid.
  *
+ * @param self       [in,out] zero, or a grid that is not needed any more, whose memory is used again
  * @param low, high  [3] bounding box of the positions that will be looked at [m]
  * @param period     [3] m; 0 where space is open
  * @param largest    radius of the largest sphere that will be asked about [m]
  * @param spheres    how many are expected: about one cell each
  */
-bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
-                              const double high[3], const double period[3], double largest,
-                              size_t spheres, clod_status *status);
+bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
+                               const double high[3], const double period[3], double largest,
+                               size_t spheres, clod_status *status);
 
 /** Whether a sphere overlaps none of those noted, nor their periodic images. */
 bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double place[4]);
@@ -61,7 +61,7 @@ bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double pla
 double clod_insertion_grid_overlap(const clod_insertion_grid *self, const double place[4],
                                    size_t *sphere);
 
-/** Note a sphere and its periodic images. */
+/** Note a sphere and its periodic images; itself, if it is in the box, first of them in `sphere`. */
 bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
                              clod_status *status);
 

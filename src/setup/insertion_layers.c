@@ -24,10 +24,11 @@ typedef struct layer {
 typedef struct filling {
     clod_insertion_batch *batch;
     clod_insertion_space *space;
-    double pitch;      ///< m, height of a layer
-    int64_t layers;    ///< in all
-    int64_t band;      ///< layers in a band
-    double sites;      ///< of a layer, about
+    double pitch;   ///< m, height of a layer
+    int64_t layers; ///< in all
+    int64_t band;   ///< layers in a band
+    int64_t block;  ///< bands for which the grains that were there before are collected at once
+    double sites;   ///< of a layer, about
     layer first, last; ///< the first of all, and the newest
     bool is_first;     ///< it is being filled
 } filling;
@@ -51,9 +52,10 @@ static int64_t pieces(double length, double pitch)
     return (int64_t)(length / pitch * (1.0 + 1e-12));
 }
 
-/** Put the next grain of the batch where it is free. */
-static bool put(filling *self, const double place[4], clod_status *status)
+/** Put the next grain of the batch where it is free; place[3] is its radius [m] with its clearance. */
+static bool put(filling *self, const double place[4], double radius, clod_status *status)
 {
+    const double sphere[4] = {place[0], place[1], place[2], radius};
     layer *first = self->is_first ? &self->first : &self->last;
     if (!make_room(&self->last, status) || !make_room(first, status)) {
         return false;
@@ -63,7 +65,7 @@ static bool put(filling *self, const double place[4], clod_status *status)
         note(first, place);
     }
     return clod_insertion_space_take(self->space, place, status) &&
-           clod_insertion_batch_put(self->batch, self->batch->reached++, place, status);
+           clod_insertion_batch_put(self->batch, self->batch->reached++, sphere, status);
 }
 
 /** Put the next grain of the batch at a site, if it is free there. */
@@ -78,12 +80,13 @@ static bool take_site(filling *self, const double site[3], const double pitch[3]
     double u[3];
     double place[4];
     clod_insertion_batch_draw(batch, g, LAYER_DRAWS, u);
-    place[3] = clod_insertion_batch_radius(batch, g) * (1.0 + CLOD_INSERTION_CLEARANCE);
+    const double radius = clod_insertion_batch_radius(batch, g);
+    place[3] = radius * (1.0 + CLOD_INSERTION_CLEARANCE);
     for (int a = 0; a < 3; a++) {
         const double room = fmax(0.0, pitch[a] - 2.0 * place[3]);
         place[a] = site[a] + (u[a] - 0.5) * room;
     }
-    return !clod_insertion_space_clear(self->space, place) || put(self, place, status);
+    return !clod_insertion_space_clear(self->space, place) || put(self, place, radius, status);
 }
 
 /** One layer of a box: a grid of square cells. */
@@ -146,19 +149,41 @@ static bool take_layer(clod_insertion_space *space, const layer *grains, clod_st
     return good;
 }
 
+/** Heights between which some layers from l on are [m]; the number of layers. */
+static int64_t range_of(const filling *self, int64_t l, int64_t layers, double range[2])
+{
+    const clod_insertion_space *space = self->space;
+    const int64_t end = l + layers < self->layers ? l + layers : self->layers;
+    range[0] = space->low[2] + (double)l * self->pitch;
+    range[1] = end == self->layers ? space->high[2] : space->low[2] + (double)end * self->pitch;
+    return end - l;
+}
+
+/** Whether images of the first layer, a period higher, reach what is below a height. */
+static bool first_reaches(const filling *self, double top)
+{
+    const clod_domain *domain = &self->space->state->domain;
+    const double period = domain->max[2] - domain->min[2];
+    return domain->periodic[2] &&
+           top + 2.0 * self->batch->largest >= self->space->low[2] + period;
+}
+
 /** Begin the band of layers from l on: what may be in the way of its grains is noted. */
 static bool begin_band(filling *self, int64_t l, clod_status *status)
 {
     clod_insertion_space *space = self->space;
-    const int64_t end = l + self->band < self->layers ? l + self->band : self->layers;
-    const double low = space->low[2];
-    const double sites = self->sites * (double)(end - l);
-    return clod_insertion_space_band(space, low + (double)l * self->pitch,
-                                     end == self->layers ? space->high[2]
-                                                         : low + (double)end * self->pitch,
-                                     (size_t)sites, status) &&
+    double range[2];
+    if (l % (self->band * self->block) == 0) {
+        range_of(self, l, self->band * self->block, range);
+        if (!clod_insertion_space_block(space, range[0], range[1], status)) {
+            return false;
+        }
+    }
+    const double sites = self->sites * (double)range_of(self, l, self->band, range);
+    return clod_insertion_space_band(space, range[0], range[1], (size_t)sites, status) &&
            take_layer(space, &self->last, status) &&
-           (self->last.count == 0 || take_layer(space, &self->first, status));
+           (self->last.count == 0 || !first_reaches(self, range[1]) ||
+            take_layer(space, &self->first, status));
 }
 
 static bool fill(filling *self, clod_status *status)
@@ -189,6 +214,7 @@ bool clod_insertion_layers_fill(clod_insertion_batch *batch, clod_insertion_spac
     self.pitch = height / (double)self.layers;
     self.sites = clod_region_area(space->region) / (wide * wide) + 1.0;
     self.band = (int64_t)ceil(BAND_SITES / self.sites);
+    self.block = (int64_t)ceil(sqrt((double)self.layers / (double)self.band));
     const bool good = fill(&self, status);
     clod_memory_free(self.first.place);
     clod_memory_free(self.last.place);

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/memory.h"
+#include "base/room.h"
 #include "config/region.h"
 #include "geometry/wall_pose.h"
 
@@ -186,37 +188,60 @@ static void set_bounds(clod_insertion_space *self, double top, double largest)
     }
 }
 
-/** Whether a grain is as high as the grid, or an image of it is, and may be in the way there. */
-static bool is_in_height(const clod_insertion_space *self, const double place[4])
+/** Whether a grain is between two heights, or an image of it is, and may be in the way there. */
+static bool is_in_height(const clod_insertion_space *self, const double range[2],
+                         const double place[4])
 {
-    const double half = 0.5 * (self->grid.high[2] - self->grid.low[2]);
-    const double middle = self->grid.low[2] + half;
-    const double off = clod_domain_separation(&self->state->domain, 2, place[2], middle);
+    const double half = 0.5 * (range[1] - range[0]);
+    const double off =
+        clod_domain_separation(&self->state->domain, 2, place[2], range[0] + half);
     return fabs(off) <= half + self->largest + place[3];
 }
 
-/** Note the grains that reach into the grid: of the state, and of those who took some. */
-static bool note_grains(clod_insertion_space *self, clod_status *status)
+/** Rows of the state that were there before, between two heights. */
+static bool collect_rows(clod_insertion_space *self, const double range[2], clod_status *status)
 {
-    const clod_grains *grains = &self->state->grains;
-    bool good = true;
-    for (size_t g = 0; good && g < self->before; g++) {
-        const double *place = grains->position[g];
-        good =
-            !is_in_height(self, place) || clod_insertion_grid_add(&self->grid, place, status);
+    self->rows = 0;
+    for (size_t g = 0; g < self->before; g++) {
+        if (!is_in_height(self, range, self->state->grains.position[g])) {
+            continue;
+        }
+        if (!clod_room_for_one(&self->row, &self->row_capacity, self->rows,
+                               sizeof *self->row)) {
+            return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
+        }
+        self->row[self->rows++] = g;
     }
-    if (!good || self->pieces == NULL) {
-        return good;
-    }
-    clod_domain_box box;
-    clod_setup_places near;
+    return true;
+}
+
+bool clod_insertion_space_block(clod_insertion_space *self, double bottom, double top,
+                                clod_status *status)
+{
+    clod_domain_box box = {{self->low[0], self->low[1], bottom},
+                           {self->high[0], self->high[1], top}};
     for (int a = 0; a < 3; a++) {
-        box.low[a] = self->grid.low[a] - self->largest;
-        box.high[a] = self->grid.high[a] + self->largest;
+        box.low[a] -= self->largest;
+        box.high[a] += self->largest;
     }
-    good = clod_setup_pieces_near(self->pieces, &box, &near, status);
-    for (size_t k = 0; good && k < near.count; k++) {
-        good = clod_insertion_grid_add(&self->grid, near.place[k], status);
+    return collect_rows(self, (const double[2]){bottom, top}, status) &&
+           (self->pieces == NULL ||
+            clod_setup_pieces_near(self->pieces, &box, &self->others, status));
+}
+
+/** Note the grains that were there before between two heights; or with `note` false, count them. */
+static bool note_grains(clod_insertion_space *self, const double range[2], bool note,
+                        size_t *count, clod_status *status)
+{
+    const size_t all = self->rows + self->others.count;
+    bool good = true;
+    *count = 0;
+    for (size_t k = 0; good && k < all; k++) {
+        const double *place = k < self->rows ? self->state->grains.position[self->row[k]]
+                                             : self->others.place[k - self->rows];
+        const bool near = is_in_height(self, range, place);
+        *count += near;
+        good = !near || !note || clod_insertion_grid_add(&self->grid, place, status);
     }
     return good;
 }
@@ -244,10 +269,12 @@ bool clod_insertion_space_band(clod_insertion_space *self, double bottom, double
             period[a] = domain->max[a] - domain->min[a];
         }
     }
-    clod_insertion_grid_fini(&self->grid);
-    return clod_insertion_grid_init(&self->grid, low, high, period, self->largest,
-                                    grains + self->before, status) &&
-           note_grains(self, status);
+    const double range[2] = {bottom, top};
+    size_t before;
+    return note_grains(self, range, false, &before, status) &&
+           clod_insertion_grid_begin(&self->grid, low, high, period, self->largest,
+                                     grains + before, status) &&
+           note_grains(self, range, true, &before, status);
 }
 
 bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_region *region,
@@ -255,6 +282,7 @@ bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_regio
                                size_t grains, clod_status *status)
 {
     return clod_insertion_space_open(self, region, top, state, largest, status) &&
+           clod_insertion_space_block(self, self->low[2], self->high[2], status) &&
            clod_insertion_space_band(self, self->low[2], self->high[2], grains, status);
 }
 
@@ -333,5 +361,6 @@ void clod_insertion_space_fini(clod_insertion_space *self)
 {
     clod_wall_rows_fini(&self->walls);
     clod_insertion_grid_fini(&self->grid);
+    clod_memory_free(self->row);
     *self = (clod_insertion_space){0};
 }

@@ -18,13 +18,16 @@ typedef struct clod_insertion_space {
     double axis[3][3], half[2];     ///< of a face (clod_region_axes, clod_region_half)
     double largest;                 ///< m, radius of the largest grain that will be put
     size_t before;                  ///< rows of the state that were there before
-    clod_setup_pieces *pieces;      ///< has other grains that were there; NULL: nobody has
-    clod_wall_rows walls;           ///< where they are
+    size_t *row;                    ///< [rows] those of them that reach into the block; owned
+    size_t rows, row_capacity;
+    clod_setup_places others;  ///< of `pieces`, that reach into it
+    clod_setup_pieces *pieces; ///< has other grains that were there; NULL: nobody has
+    clod_wall_rows walls;      ///< where they are
     clod_insertion_grid grid;
 } clod_insertion_space;
 
 /**
- * Get a region ready but for its grid; then a band of it.
+ * Get a region ready but for its grid; then a block of bands of it, and a band.
  *
  * @param top, largest  as below
  */
@@ -33,7 +36,16 @@ bool clod_insertion_space_open(clod_insertion_space *self, const clod_case_regio
                                clod_status *status);
 
 /**
- * Look at a band of the region from now on, with all grains that were there before noted. Others, of
+ * Collect the grains that were there before and reach into a block of bands: not for each band, since all
+ * are looked at.
+ *
+ * @param bottom, top  m, where the centres of its grains are
+ */
+bool clod_insertion_space_block(clod_insertion_space *self, double bottom, double top,
+                                clod_status *status);
+
+/**
+ * Look at a band of the block from now on, with all grains that were there before noted. Others, of
  * a band before, are forgotten.
  *
  * @param bottom, top  m, where the centres of its grains are

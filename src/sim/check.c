@@ -138,8 +138,10 @@ static bool make_state(const clod_case *from, clod_check_subject *subject, clod_
     const clod_case_programme *shear = clod_case_shear(from);
     const double seeds = shear != NULL ? (double)shear->seeds : 1.0;
     const clod_run_options how = {.threads = 1, .simd = subject->options->simd};
+    const double share = subject->options->ranks > 1 ? 0.0 : 1.0; // on how many machines?
     double expected;
-    if (!clod_begin_has_grains(from, status) || !clod_begin_expect(from, &expected, status)) {
+    if (!clod_begin_has_grains(from, status) ||
+        !clod_begin_expect(from, share, &expected, status)) {
         return false;
     }
     const bool come = clod_setup_grains_coming(from) > 0;

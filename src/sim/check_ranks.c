@@ -24,7 +24,7 @@
 #define REBUILD 2.45          ///< times as much in a rebuild: 784 over 320
 #define DEAL_BYTES_0 720.0    ///< made and dealt, rank 0: mean of 2 to 8 ranks
 #define DEAL_BYTES 760.0      ///< the same, another rank
-#define RANDOM_BYTES 130.0    ///< of a grain at a random position, rank 0: docs/adr/0042
+#define RANDOM_BYTES 80.0     ///< of a grain at a random position, rank 0: docs/adr/0042
 #define WHOLE_BYTES_0 560.0   ///< of the whole bed, dealt by rank 0: 558 and 579
 #define WHOLE_BYTES 1500.0    ///< another rank: 656 with 2 ranks and 400 with 4
 #define GATHERED_BYTES 1250.0 ///< of the whole bed, gathered on rank 0: 1 229

@@ -10,7 +10,7 @@ static size_t most_grains(const clod_job *job)
     double expected = 0.0;
     clod_status ignored; // its sizes have been read before
     if (clod_setup_grains_coming(job->sim->from) > 0) {
-        clod_setup_grains_expect(job->sim->from, &expected, &ignored);
+        clod_setup_grains_expect(job->sim->from, 0.0, &expected, &ignored);
     }
     return job->state.grains.count + (size_t)expected;
 }

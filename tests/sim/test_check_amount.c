@@ -38,16 +38,22 @@ static const char HERTZ[] =
     "walls: {floor: {material: ore, shapes: [{plane: {point: [0 m, 0 m, 0 m]}}]}}\n"
     "stages: [{name: one, duration: 1 ms}]\n";
 
-/** The preflight of a text with some changes, which may be refused. */
-static bool accepted(const char *text, const char *const *changes, size_t count,
-                     clod_status *status)
+/** The preflight of a text with some changes for ranks (0: one process), which may be refused. */
+static bool accepted_on(int ranks, const char *text, const char *const *changes, size_t count,
+                        clod_status *status)
 {
-    const clod_check_options options = {.threads = 1, .directory = "."};
+    const clod_check_options options = {.threads = 1, .ranks = ranks, .directory = "."};
     *status = (clod_status){CLOD_OK, ""};
     clod_case_destroy(&preflight_case);
     preflight_case = clod_case_parse("case.yaml", text, strlen(text), changes, count, status);
     assert_non_null(preflight_case);
     return clod_check_report_make(preflight_case, &options, &report, status);
+}
+
+static bool accepted(const char *text, const char *const *changes, size_t count,
+                     clod_status *status)
+{
+    return accepted_on(0, text, changes, count, status);
 }
 
 // 4800 * 15^3 = 16.2e6 grains of 0.2 mm: a sample tells what they are like, and the start is
@@ -85,6 +91,29 @@ static void more_grains_than_memory_holds_are_refused_at_once(void **state)
     assert_int_equal(status.code, CLOD_USAGE);
     assert_non_null(strstr(status.text, "ring_shear: 1e+12 grains need at least"));
     assert_true(clock() - begin < 5 * CLOCKS_PER_SEC);
+}
+
+// By hand, as below: 280.63 t are 1e9 grains of 0.28063 g. They want 500 GB at least, which no machine that
+// builds this has, but many together may. A share of a million takes 720 bytes a grain.
+static void more_grains_than_memory_holds_are_for_ranks(void **state)
+{
+    (void)state;
+    static const char *const change[] = {
+        "grains.0.mass=280630 kg",
+        "grains.0.region={box: {min: [0 m, 0 m, 0 m], max: [7.5 m, 7.5 m, 7.5 m]}}"};
+    clod_status status;
+    assert_false(accepted_on(1, HERTZ, change, 2, &status));
+    assert_non_null(strstr(status.text, "of memory, and this machine has"));
+    if (!accepted_on(1000, HERTZ, change, 2, &status)) {
+        fail_msg("%s", status.text);
+    }
+    check_relative(report.of_ranks.own, 1e6, 1e-3);
+    check_at_least(report.of_ranks.begin_0, 0.72e9);
+    bool told = false;
+    for (size_t w = 0; w < report.warning_count; w++) {
+        told = told || strstr(report.warning[w], "all ranks together may need") != NULL;
+    }
+    assert_true(told);
 }
 
 // By hand: a grain of 3 mm has 0.28063 g, so 71 of them are 0.02 kg within 0.4 %; 0.8 g are
@@ -140,6 +169,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_powder_is_estimated_from_a_sample),
         cmocka_unit_test(more_grains_than_memory_holds_are_refused_at_once),
+        cmocka_unit_test(more_grains_than_memory_holds_are_for_ranks),
         cmocka_unit_test(whole_grains_that_miss_the_mass_are_told),
         cmocka_unit_test(soft_fast_and_high_cases_are_timed),
         cmocka_unit_test(a_period_that_is_too_short_is_refused),
