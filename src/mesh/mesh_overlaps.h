@@ -8,8 +8,8 @@
 #include "mesh/mesh.h"
 
 /** Steps of the search: so many, and so many for each facet; then it ends. */
-#define CLOD_MESH_OVERLAPS_STEPS 10000000
-#define CLOD_MESH_OVERLAPS_STEPS_EACH 100
+#define CLOD_MESH_OVERLAPS_STEPS 5000000
+#define CLOD_MESH_OVERLAPS_STEPS_EACH 90
 
 /**
  * Note each facet that lies over an earlier one of the file: all corners of one are within
