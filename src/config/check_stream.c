@@ -65,7 +65,7 @@ double clod_check_rest_fraction(const clod_case *self, const clod_case_grains *g
     const double *g = self->gravity;
     const double gravity = hypot(hypot(g[0], g[1]), g[2]);
     if (gravity == 0.0) {
-        return INFINITY;
+        return HUGE_VAL;
     }
     double size[3], height = 0.0;
     clod_region_row(&grains->region)->size(&grains->region, size);
