@@ -56,6 +56,16 @@ bool clod_check_region_place(clod_loader *loader, const clod_case *self, const c
 /** Whether streams that come in have room, once each group is right (check_stream.c). */
 void clod_check_streams(clod_loader *loader, const clod_case *self);
 
+/** Solid fraction of a stream that random places without overlap still allow, with some ease. */
+#define CLOD_CHECK_DENSE 0.25
+
+/**
+ * Solid fraction in the region of an inlet of grains that come at rest and fall out of it: volume flow
+ * times the mean time of fall from a random height in it, 2/3 sqrt(2 h/g), over its volume.
+ * @return  infinite without gravity
+ */
+double clod_check_rest_fraction(const clod_case *self, const clod_case_grains *grains);
+
 /** Check the face that grains come through, and complete it (check_region.c). */
 bool clod_check_face(clod_loader *loader, const char *path, clod_case_grains *grains);
 

@@ -6,9 +6,6 @@
 #include "config/region.h"
 #include "config/sizes.h"
 
-/** Solid fraction of a stream that random places without overlap still allow, with some ease. */
-#define DENSE 0.25
-
 /** Area of a face across a velocity [m2]. */
 static double face_across(const clod_case_region *region, const double *v, double speed)
 {
@@ -63,6 +60,22 @@ static double fraction_of(const clod_case *self, const clod_case_grains *grains)
     return through > 0.0 ? solid_flow(self, grains) / through : 0.0;
 }
 
+double clod_check_rest_fraction(const clod_case *self, const clod_case_grains *grains)
+{
+    const double *g = self->gravity;
+    const double gravity = hypot(hypot(g[0], g[1]), g[2]);
+    if (gravity == 0.0) {
+        return HUGE_VAL;
+    }
+    double size[3], height = 0.0;
+    clod_region_row(&grains->region)->size(&grains->region, size);
+    for (int a = 0; a < 3; a++) {
+        height += size[a] * fabs(g[a]) / gravity;
+    }
+    const double volume = clod_region_area(&grains->region) * size[2];
+    return solid_flow(self, grains) * 2.0 / 3.0 * sqrt(2.0 * height / gravity) / volume;
+}
+
 /** Whether group b comes while group a begins, in the same space; of those that begin together
  *  the one that is written later has the others with it. */
 static bool is_with(const clod_case *self, size_t a, size_t b)
@@ -86,7 +99,7 @@ static void check_room(clod_loader *loader, const clod_case *self, size_t index)
         }
     }
     const double own = fraction_of(self, grains);
-    if (own == 0.0 || all <= DENSE) {
+    if (own == 0.0 || all <= CLOD_CHECK_DENSE) {
         return;
     }
     const bool by_mass = grains->inlet.mass_flow > 0.0;
@@ -102,8 +115,8 @@ static void check_room(clod_loader *loader, const clod_case *self, size_t index)
                     "%.4g %s at this velocity are a solid fraction of %.2g%s; grains at random "
                     "places without overlap go up to %.2g: at most %.4g %s%s, or make the "
                     "region wider or velocity larger",
-                    flow, by_mass ? "kg/s" : "grains/s", all, with, DENSE, flow * DENSE / all,
-                    by_mass ? "kg/s" : "grains/s",
+                    flow, by_mass ? "kg/s" : "grains/s", all, with, CLOD_CHECK_DENSE,
+                    flow * CLOD_CHECK_DENSE / all, by_mass ? "kg/s" : "grains/s",
                     streams > 1 ? ", the others in the same proportion" : "");
 }
 

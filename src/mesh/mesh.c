@@ -9,6 +9,7 @@
 #include "mesh/mesh_edges.h"
 #include "mesh/mesh_facets.h"
 #include "mesh/mesh_import.h"
+#include "mesh/mesh_overlaps.h"
 #include "mesh/mesh_seams.h"
 #include "mesh/mesh_shells.h"
 #include "mesh/mesh_source.h"
@@ -19,10 +20,20 @@ void clod_mesh_note(clod_mesh *self, clod_mesh_kind kind, uint32_t facet, clod_v
     clod_mesh_finding *finding = &self->findings[kind];
     if (finding->count < CLOD_MESH_PLACES) {
         finding->places[finding->count] = (clod_mesh_place){
-            self->number[facet], self->part[facet], {point.x, point.y, point.z}};
+            self->number[facet], self->part[facet], {point.x, point.y, point.z}, 0};
     }
     finding->count++;
     self->found[facet] = (uint16_t)(self->found[facet] | 1u << kind);
+}
+
+void clod_mesh_note_over(clod_mesh *self, uint32_t facet, uint32_t other)
+{
+    clod_mesh_finding *finding = &self->findings[CLOD_MESH_OVERLAP];
+    clod_mesh_note(self, CLOD_MESH_OVERLAP, facet, clod_mesh_centre(self, facet));
+    if (finding->count <= CLOD_MESH_PLACES) {
+        finding->places[finding->count - 1].other = self->number[other];
+    }
+    self->found[other] = (uint16_t)(self->found[other] | 1u << CLOD_MESH_OVERLAP);
 }
 
 bool clod_mesh_lacks_memory(const clod_mesh *self, clod_status *status)
@@ -134,8 +145,9 @@ static bool build(clod_mesh *self, clod_mesh_source *source, const clod_mesh_pla
     clod_memory_free(corners);
     return joined && clod_mesh_vertices_place(self, placing, status) &&
            clod_mesh_vertices_weld(self, status) && clod_mesh_facets_clean(self, status) &&
-           clod_mesh_edges_pair(self, status) && clod_mesh_edges_turn(self, status) &&
-           clod_mesh_seams_find(self, status) && clod_mesh_shells_number(self, status);
+           clod_mesh_overlaps_find(self, status) && clod_mesh_edges_pair(self, status) &&
+           clod_mesh_edges_turn(self, status) && clod_mesh_seams_find(self, status) &&
+           clod_mesh_shells_number(self, status);
 }
 
 static void show(clod_mesh *self)
@@ -228,6 +240,8 @@ void clod_mesh_destroy(clod_mesh **self)
     clod_memory_free(mesh->shell);
     clod_memory_free(mesh->neighbours);
     clod_memory_free(mesh->edges);
+    clod_memory_free(mesh->ends);
+    clod_memory_free(mesh->overlaps);
     clod_memory_free(mesh);
     *self = NULL;
 }

@@ -49,10 +49,13 @@ static json_t *finding_of(const clod_mesh *self, int kind, const clod_mesh_findi
     json_t *places = json_array();
     for (size_t k = 0; k < finding->count && k < CLOD_MESH_PLACES; k++) {
         const clod_mesh_place *at = &finding->places[k];
-        json_array_append_new(places,
-                              json_pack("{s:I, s:o, s:o}", "facet", (json_int_t)at->number,
-                                        "part", text_of(self->view.parts[at->part].name),
-                                        "point_m", vector_of(at->point)));
+        json_t *place = json_pack("{s:I, s:o, s:o}", "facet", (json_int_t)at->number, "part",
+                                  text_of(self->view.parts[at->part].name), "point_m",
+                                  vector_of(at->point));
+        if (at->other != 0) {
+            json_object_set_new(place, "over_facet", json_integer((json_int_t)at->other));
+        }
+        json_array_append_new(places, place);
     }
     return json_pack("{s:s, s:I, s:s, s:o}", "kind", CLOD_MESH_FINDINGS[kind].key, "count",
                      (json_int_t)finding->count, "action", CLOD_MESH_FINDINGS[kind].action,

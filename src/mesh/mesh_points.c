@@ -8,7 +8,6 @@
 #include "base/sort.h"
 #include "base/vec3.h"
 
-#define LEAF 8   ///< points below one box
 #define BITS 21  ///< of a coordinate in the key of the curve
 #define DEPTH 64 ///< boxes that wait to be looked at; the tree has at most 24 levels
 
@@ -22,7 +21,7 @@ static uint64_t spread(uint64_t bits)
     return (bits | bits << 2) & 0x1249249249249249u;
 }
 
-static void grow_box(double box[2][3], const double low[3], const double high[3])
+void clod_mesh_points_grow(double box[2][3], const double low[3], const double high[3])
 {
     for (int k = 0; k < 3; k++) {
         box[0][k] = fmin(box[0][k], low[k]);
@@ -48,7 +47,7 @@ static bool sort_points(clod_mesh_points *self, const uint32_t *points)
     double all[2][3];
     empty_box(all);
     for (size_t k = 0; k < self->count; k++) {
-        grow_box(all, self->places[points[k]], self->places[points[k]]);
+        clod_mesh_points_grow(all, self->places[points[k]], self->places[points[k]]);
     }
     for (size_t k = 0; k < self->count; k++) {
         uint64_t key = 0;
@@ -73,15 +72,15 @@ static void make_boxes(clod_mesh_points *self)
     for (size_t n = self->nodes; n-- > 0;) {
         empty_box(self->boxes[n]);
         if (n >= self->leaves - 1) {
-            const size_t from = (n - (self->leaves - 1)) * LEAF;
-            for (size_t k = from; k < from + LEAF && k < self->count; k++) {
+            const size_t from = (n - (self->leaves - 1)) * CLOD_MESH_POINTS_LEAF;
+            for (size_t k = from; k < from + CLOD_MESH_POINTS_LEAF && k < self->count; k++) {
                 const double *at = self->places[self->order[k]];
-                grow_box(self->boxes[n], at, at);
+                clod_mesh_points_grow(self->boxes[n], at, at);
             }
             continue;
         }
         for (size_t below = 2 * n + 1; below <= 2 * n + 2; below++) {
-            grow_box(self->boxes[n], self->boxes[below][0], self->boxes[below][1]);
+            clod_mesh_points_grow(self->boxes[n], self->boxes[below][0], self->boxes[below][1]);
         }
     }
 }
@@ -90,7 +89,7 @@ bool clod_mesh_points_init(clod_mesh_points *self, const double (*places)[3],
                            const uint32_t *points, size_t count)
 {
     *self = (clod_mesh_points){.places = places, .count = count, .leaves = 1};
-    while (self->leaves * LEAF < count) {
+    while (self->leaves * CLOD_MESH_POINTS_LEAF < count) {
         self->leaves *= 2;
     }
     self->nodes = 2 * self->leaves - 1;
@@ -146,7 +145,8 @@ static bool look(const clod_mesh_points *self, size_t leaf, const double begin[3
     const clod_vec3 run = clod_vec3_sub(clod_vec3_of(end), clod_vec3_of(begin));
     const double length = clod_vec3_length(run);
     const clod_vec3 u = clod_vec3_scale(run, 1.0 / length);
-    for (size_t k = leaf * LEAF; k < (leaf + 1) * LEAF && k < self->count; k++) {
+    for (size_t k = leaf * CLOD_MESH_POINTS_LEAF;
+         k < (leaf + 1) * CLOD_MESH_POINTS_LEAF && k < self->count; k++) {
         const clod_vec3 arm =
             clod_vec3_sub(clod_vec3_of(self->places[self->order[k]]), clod_vec3_of(begin));
         const double along = clod_vec3_dot(arm, u);

@@ -9,10 +9,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#define CLOD_MESH_POINTS_LEAF 8 ///< points below one box
+
 typedef struct clod_mesh_points {
     const double (*places)[3]; ///< borrowed
     uint32_t *order;           ///< [count] the points along the curve
-    double (*boxes)[2][3];     ///< [nodes] a binary tree, node n above 2 n + 1 and 2 n + 2
+    double (*boxes)[2][3];     ///< [nodes] a binary tree, node n above 2 n + 1 and 2 n + 2; the
+                               ///< last `leaves` have CLOD_MESH_POINTS_LEAF points each
     size_t count, nodes, leaves;
 } clod_mesh_points;
 
@@ -48,5 +51,8 @@ bool clod_mesh_points_init(clod_mesh_points *self, const double (*places)[3],
  */
 bool clod_mesh_points_near(const clod_mesh_points *self, const double begin[3],
                            const double end[3], double reach, clod_mesh_hits *hits);
+
+/** Make a box hold another one. */
+void clod_mesh_points_grow(double box[2][3], const double low[3], const double high[3]);
 
 void clod_mesh_points_fini(clod_mesh_points *self);

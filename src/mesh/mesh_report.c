@@ -45,6 +45,10 @@ const clod_mesh_words CLOD_MESH_FINDINGS[CLOD_MESH_KINDS] = {
                           ", one edge below 1/100 of the longest", "kept", ""},
     [CLOD_MESH_SLIVER] = {"sliver_facets", "sliver", "slivers",
                           ", height below 1/100 of the longest edge", "kept", ""},
+    [CLOD_MESH_OVERLAP] = {"overlapping_facets", "facet", "facets",
+                           " over an earlier one in one plane", "kept",
+                           "Together they push as one plane, once; where parts differ, the "
+                           "first in the file decides."},
 };
 
 const char *const CLOD_MESH_EDGES[CLOD_MESH_EDGE_KINDS] = {
@@ -233,6 +237,14 @@ static void doubt_facets(const clod_mesh *self, clod_mesh_report *report)
              "of them singly but takes time for each. Export a coarser mesh.",
              report->small_facets, self->view.facet_count,
              report->small_facets == 1 ? "is" : "are");
+    }
+    if (self->unsearched > 0) {
+        warn(
+            report,
+            "Facets over each other in one plane were looked for at %zu of %zu facets only: too "
+            "many long ones lie aslant side by side. The others count as sheets of their own, "
+            "which push once where they lie over each other.",
+            self->view.facet_count - self->unsearched, self->view.facet_count);
     }
     if (report->volume < 0.0) {
         warn(report, "The normals of the closed mesh point inwards. That is right for a room "

@@ -116,6 +116,10 @@ static void link_group(clod_mesh *mesh, const clod_sort_item *pieces, size_t cou
 {
     uint8_t *kinds = &mesh->edges[0][0];
     const clod_vec3 middle = middle_of(mesh, pieces[0].key);
+    for (size_t k = 0; k < count && count != 2; k++) {
+        uint8_t *ends = &mesh->ends[pieces[k].index / 3];
+        *ends = (uint8_t)(*ends | 1 << pieces[k].index % 3);
+    }
     if (count == 1 && kinds[pieces[0].index] == CLOD_MESH_EDGE_T) {
         clod_mesh_note(mesh, CLOD_MESH_OPEN, (uint32_t)(pieces[0].index / 3), middle);
     }
@@ -165,7 +169,9 @@ static bool find_seams(seams *s)
 bool clod_mesh_seams_find(clod_mesh *self, clod_status *status)
 {
     seams s = {.mesh = self};
-    const bool done = collect_edges(&s) && (s.count == 0 || find_seams(&s));
+    self->ends = clod_memory_alloc(self->view.facet_count, sizeof *self->ends);
+    const bool done =
+        self->ends != NULL && collect_edges(&s) && (s.count == 0 || find_seams(&s));
     clod_memory_free(s.edges);
     clod_memory_free(s.vertices);
     clod_memory_free(s.pieces);

@@ -76,8 +76,12 @@ static void put_places(FILE *out, const clod_mesh *self, const clod_mesh_finding
     for (size_t k = 0; k < finding->count && k < CLOD_MESH_PLACES; k++) {
         const clod_mesh_place *at = &finding->places[k];
         const char *name = self->view.parts[at->part].name;
-        fprintf(out, "      facet %u%s%s at (%.6g, %.6g, %.6g) m\n", at->number,
+        fprintf(out, "      facet %u%s%s at (%.6g, %.6g, %.6g) m", at->number,
                 name[0] != '\0' ? " of " : "", name, at->point[0], at->point[1], at->point[2]);
+        if (at->other != 0) {
+            fprintf(out, ", over facet %u", at->other);
+        }
+        fputc('\n', out);
     }
     if (finding->count > CLOD_MESH_PLACES) {
         fprintf(out, "      ... and %zu more\n", finding->count - CLOD_MESH_PLACES);

@@ -93,12 +93,12 @@ clod_surface *clod_surface_make(const clod_mesh *mesh, const clod_mesh_placing *
         self->smooth = smooth;
         self->smooth_cosine = cos(smooth);
         good = allocate(self, &mesh->view) && name_parts(self, &mesh->view) &&
-               clod_surface_links_make(&links, &mesh->view);
+               clod_surface_links_make(&links, mesh);
         if (good && then != NULL) {
             place(self, then);
         }
-        good = good && clod_surface_parts_find(self, &mesh->view, &links) &&
-               clod_surface_tree_make(self);
+        good =
+            good && clod_surface_parts_find(self, mesh, &links) && clod_surface_tree_make(self);
     }
     clod_surface_links_fini(&links);
     if (!good) {

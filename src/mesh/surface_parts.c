@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/sort.h"
+#include "mesh/mesh.h"
 
 #define NOBODY UINT32_MAX
 /** Times that a plane is fitted to its facets, at most: each finds several times as many as the one before. */
@@ -12,37 +13,53 @@
 
 // ---- links
 
-bool clod_surface_links_make(clod_surface_links *self, const clod_mesh_view *view)
+/** A pair of facets that are linked. */
+typedef void (*link_use)(clod_surface_links *self, uint32_t a, uint32_t b);
+
+/** Give every pair to `use`, in the same order each time. */
+static void for_pairs(clod_surface_links *self, const clod_mesh *mesh, link_use use)
 {
-    const size_t facets = view->facet_count;
+    for (size_t f = 0; f < mesh->view.facet_count; f++) {
+        for (int e = 0; e < 3; e++) {
+            const uint32_t other = mesh->view.neighbours[f][e];
+            if (other != CLOD_MESH_NONE) {
+                use(self, (uint32_t)f, other);
+            }
+        }
+    }
+    for (size_t p = 0; p < mesh->overlap_count; p++) {
+        use(self, mesh->overlaps[p][0], mesh->overlaps[p][1]);
+    }
+}
+
+static void count_pair(clod_surface_links *self, uint32_t a, uint32_t b)
+{
+    self->start[a + 2]++;
+    self->start[b + 2]++;
+}
+
+static void put_pair(clod_surface_links *self, uint32_t a, uint32_t b)
+{
+    self->item[self->start[a + 1]++] = b;
+    self->item[self->start[b + 1]++] = a;
+}
+
+bool clod_surface_links_make(clod_surface_links *self, const clod_mesh *mesh)
+{
+    const size_t facets = mesh->view.facet_count;
     *self = (clod_surface_links){0};
     self->start = clod_memory_alloc(facets + 2, sizeof *self->start);
-    self->item = clod_memory_alloc(6 * facets + 1, sizeof *self->item);
+    self->item =
+        clod_memory_alloc(6 * facets + 2 * mesh->overlap_count + 1, sizeof *self->item);
     self->work = clod_memory_alloc(facets + 1, sizeof *self->work);
     if (self->start == NULL || self->item == NULL || self->work == NULL) {
         return false;
     }
-    for (size_t f = 0; f < facets; f++) {
-        for (int e = 0; e < 3; e++) {
-            const uint32_t other = view->neighbours[f][e];
-            if (other != CLOD_MESH_NONE) {
-                self->start[f + 2]++;
-                self->start[other + 2]++;
-            }
-        }
-    }
+    for_pairs(self, mesh, count_pair);
     for (size_t f = 0; f < facets; f++) {
         self->start[f + 2] += self->start[f + 1];
     }
-    for (size_t f = 0; f < facets; f++) { // afterwards start[f] is where facet f begins
-        for (int e = 0; e < 3; e++) {
-            const uint32_t other = view->neighbours[f][e];
-            if (other != CLOD_MESH_NONE) {
-                self->item[self->start[f + 1]++] = other;
-                self->item[self->start[other + 1]++] = (uint32_t)f;
-            }
-        }
-    }
+    for_pairs(self, mesh, put_pair); // afterwards start[f] is where facet f begins
     return true;
 }
 
@@ -208,17 +225,34 @@ static bool find_planes(clod_surface *self, const clod_surface_links *links)
     return true;
 }
 
-/** Edges at which the surface ends or bends by the smooth angle or more. */
-static void find_rims(clod_surface *self, const clod_mesh_view *view)
+/** Whether the facet over an edge lies in the same plane, on the same side of the edge: the other side
+ *  of a sheet. */
+static bool is_folded_back(const clod_surface *self, uint32_t facet, int e, uint32_t other)
 {
-    for (size_t f = 0; f < self->facet_count; f++) {
+    if (self->plane[facet] != self->plane[other]) {
+        return false;
+    }
+    const clod_vec3 from = corner(self, facet, e);
+    const clod_vec3 edge = clod_vec3_sub(corner(self, facet, (e + 1) % 3), from);
+    const clod_vec3 inward = clod_vec3_cross(area_of(self, facet), edge);
+    double in = 0.0;
+    for (int c = 0; c < 3; c++) {
+        in += clod_vec3_dot(clod_vec3_sub(corner(self, other, c), from), inward);
+    }
+    return in > 0.0;
+}
+
+/** Edges at which the surface ends, folds back, or bends by the smooth angle or more. */
+static void find_rims(clod_surface *self, const clod_mesh *mesh)
+{
+    for (uint32_t f = 0; f < self->facet_count; f++) {
         for (int e = 0; e < 3; e++) {
-            const uint32_t other = view->neighbours[f][e];
-            const uint8_t kind = view->edges[f][e];
+            const uint32_t other = mesh->view.neighbours[f][e];
+            const uint8_t kind = mesh->view.edges[f][e];
             const bool ends = other == CLOD_MESH_NONE || kind == CLOD_MESH_EDGE_OPEN ||
-                              kind == CLOD_MESH_EDGE_NONMANIFOLD;
+                              kind == CLOD_MESH_EDGE_NONMANIFOLD || (mesh->ends[f] >> e & 1);
             if (ends || self->piece[other] != self->piece[f] ||
-                !bends_little(self, 0, (uint32_t)f, other)) {
+                !bends_little(self, 0, f, other) || is_folded_back(self, f, e, other)) {
                 self->rims[f] |= (uint8_t)(1 << e);
             }
         }
@@ -273,7 +307,7 @@ static void find_patches(clod_surface *self, const clod_surface_links *links)
     }
 }
 
-bool clod_surface_parts_find(clod_surface *self, const clod_mesh_view *view,
+bool clod_surface_parts_find(clod_surface *self, const clod_mesh *mesh,
                              const clod_surface_links *links)
 {
     const size_t bytes = self->facet_count * sizeof(uint32_t);
@@ -289,7 +323,7 @@ bool clod_surface_parts_find(clod_surface *self, const clod_mesh_view *view,
             grow(self, links, bends_little, (uint32_t)f, pieces++, self->piece);
         }
     }
-    find_rims(self, view);
+    find_rims(self, mesh);
     find_patches(self, links);
     return true;
 }

@@ -13,8 +13,8 @@ typedef struct clod_surface_links {
     uint32_t *work;  ///< [facets] scratch
 } clod_surface_links;
 
-/** Neighbours over edges of any kind; false without memory. */
-bool clod_surface_links_make(clod_surface_links *self, const clod_mesh_view *view);
+/** Neighbours over edges of any kind, and facets that lie over each other; false without memory. */
+bool clod_surface_links_make(clod_surface_links *self, const clod_mesh *mesh);
 void clod_surface_links_fini(clod_surface_links *self);
 
 /**
@@ -22,5 +22,5 @@ void clod_surface_links_fini(clod_surface_links *self);
  * of it; then the smooth pieces, the patches and the rims.
  * @return  false without memory.   Test  tests/mesh/test_surface_touch.c
  */
-bool clod_surface_parts_find(clod_surface *self, const clod_mesh_view *view,
+bool clod_surface_parts_find(clod_surface *self, const clod_mesh *mesh,
                              const clod_surface_links *links);

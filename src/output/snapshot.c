@@ -144,6 +144,17 @@ static void put_wear(clod_hdf *hdf, const clod_wall_mesh *mesh)
     }
 }
 
+/** Which part of a mesh each triangle is of, if parts have names. */
+static void put_parts(clod_hdf *hdf, const clod_wall_mesh *mesh)
+{
+    const clod_hdf_column column = {VTK_PARTS,   "1",        CLOD_HDF_I32,      1,
+                                    mesh->count, mesh->part, sizeof *mesh->part};
+    if (mesh->parts[0] != '\0') {
+        clod_hdf_put(hdf, &column);
+        clod_hdf_put_text(hdf, VTK_PARTS, VTK_PARTS_NAMES, mesh->parts);
+    }
+}
+
 static void view_walls(clod_paraview *view, const clod_wall_mesh *mesh)
 {
     view->wears = mesh->wears;
@@ -175,6 +186,7 @@ static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_paraview *vie
              sizeof *mesh.velocity},
         };
         put_columns(hdf, columns, sizeof columns / sizeof *columns);
+        put_parts(hdf, &mesh);
         put_wear(hdf, &mesh);
         good = clod_vtk_cells_put(hdf, n, VTK_TRIANGLE, 3, status);
     }

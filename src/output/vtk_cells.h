@@ -14,6 +14,8 @@
 #define VTK_OFFSETS "VTKHDF/Offsets"
 #define VTK_CONNECTIVITY "VTKHDF/Connectivity"
 #define VTK_TIME "time_s" ///< attribute of the root, clod's own [s]
+#define VTK_PARTS VTK_CELL_DATA "/part"
+#define VTK_PARTS_NAMES "names" ///< attribute of it, clod's own: "WALL.PART", one a line
 
 // cell types of VTK, vtkCellType.h
 #define VTK_VERTEX 1

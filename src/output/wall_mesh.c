@@ -1,5 +1,6 @@
 #include "output/wall_mesh.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -17,6 +18,7 @@ typedef struct clod_mesh_pen {
     const clod_domain *domain;
     const clod_state *state;
     int32_t place; ///< of the wall (state/wear.h)
+    int32_t part;  ///< of the mesh's parts
 } clod_mesh_pen;
 
 /** A point of the wall's frame, in space. */
@@ -76,6 +78,7 @@ static void draw(clod_mesh_pen *pen, clod_vec3 a, clod_vec3 b, clod_vec3 c)
     mesh->wall[t] = pen->number;
     mesh->material[t] = clod_wall_material(pen->wall, shape);
     mesh->shape[t] = (int32_t)pen->shape->kind;
+    mesh->part[t] = pen->part;
     if (mesh->wears) {
         wear_of(pen->state, pen->wall, shape, pen->place, mesh->wear[t]);
     }
@@ -161,10 +164,14 @@ static void draw_facets(clod_mesh_pen *pen)
 {
     const clod_shape *first = pen->shape;
     const clod_surface *surface = first->surface;
+    const int32_t parts = pen->part; // where those of this mesh begin
     for (size_t f = 0; clod_shape_begins_mesh(first) && f < surface->facet_count; f++) {
         const uint32_t *v = surface->facet[f];
         pen->shape = first + CLOD_SURFACE_SLOTS * surface->patch[f];
         pen->place = first->place + (int32_t)f;
+        pen->part = surface->part_name[surface->part[f]][0] != '\0'
+                        ? parts + (int32_t)surface->part[f]
+                        : -1;
         draw(pen, clod_vec3_of(surface->vertex[v[0]]), clod_vec3_of(surface->vertex[v[1]]),
              clod_vec3_of(surface->vertex[v[2]]));
     }
@@ -188,6 +195,36 @@ static size_t triangles_of(const clod_shape *shape)
 {
     return clod_shape_begins_mesh(shape) ? shape->surface->facet_count // of all its patches
                                          : DRAWING[form_of(shape)].triangles;
+}
+
+/** A line for each part of all meshes, as far as there is room; "" if none has a name. Owned, or NULL
+ *  without memory. */
+static char *name_parts(const clod_state *state)
+{
+    char *text = clod_memory_alloc(CLOD_WALL_MESH_PARTS, 1);
+    size_t used = 0;
+    bool named = false;
+    for (int32_t w = 0; text != NULL && w < state->walls.count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            const clod_surface *of =
+                clod_shape_begins_mesh(&wall->shapes[s]) ? wall->shapes[s].surface : NULL;
+            for (size_t p = 0; of != NULL && p < of->part_count; p++) {
+                char line[sizeof wall->name + CLOD_SURFACE_NAME + 2];
+                snprintf(line, sizeof line, "%s.%s\n", wall->name, of->part_name[p]);
+                const size_t length = strlen(line);
+                named = named || of->part_name[p][0] != '\0';
+                if (used + length < CLOD_WALL_MESH_PARTS) {
+                    memcpy(text + used, line, length);
+                    used += length;
+                }
+            }
+        }
+    }
+    if (text != NULL && !named) {
+        text[0] = '\0';
+    }
+    return text;
 }
 
 static bool wears(const clod_state *state)
@@ -214,21 +251,28 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
         .wall = clod_memory_alloc(triangles, sizeof *self->wall),
         .material = clod_memory_alloc(triangles, sizeof *self->material),
         .shape = clod_memory_alloc(triangles, sizeof *self->shape),
+        .part = clod_memory_alloc(triangles, sizeof *self->part),
+        .parts = name_parts(state),
         .wears = wears(state),
     };
     if (self->wears) {
         self->wear = clod_memory_alloc(triangles, sizeof *self->wear);
     }
     if (self->corner == NULL || self->velocity == NULL || self->wall == NULL ||
-        self->material == NULL || self->shape == NULL || (self->wears && self->wear == NULL)) {
+        self->material == NULL || self->shape == NULL || self->part == NULL ||
+        self->parts == NULL || (self->wears && self->wear == NULL)) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for a picture of the walls.");
     }
+    int32_t parts = 0;
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
             const clod_shape *shape = &wall->shapes[s];
-            clod_mesh_pen pen = {self, wall, shape, w, &state->domain, state, shape->place};
+            const bool mesh = clod_shape_begins_mesh(shape);
+            clod_mesh_pen pen = {self,           wall,  shape,        w,
+                                 &state->domain, state, shape->place, mesh ? parts : -1};
             DRAWING[form_of(shape)].draw(&pen);
+            parts += mesh ? (int32_t)shape->surface->part_count : 0;
         }
     }
     return true;
@@ -241,6 +285,8 @@ void clod_wall_mesh_fini(clod_wall_mesh *self)
     clod_memory_free(self->wall);
     clod_memory_free(self->material);
     clod_memory_free(self->shape);
+    clod_memory_free(self->part);
+    clod_memory_free(self->parts);
     clod_memory_free(self->wear);
     *self = (clod_wall_mesh){0};
 }

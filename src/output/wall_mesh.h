@@ -21,6 +21,9 @@ enum {
 /** Edges of a circle. */
 #define CLOD_WALL_MESH_SEGMENTS 96
 
+/** Bytes of the names of parts: an attribute of HDF5 has 64 KiB at most. */
+#define CLOD_WALL_MESH_PARTS 60000
+
 typedef struct clod_wall_mesh {
     size_t count;
     double (*corner)[3][3]; ///< owned [count]: corners of each triangle [m]
@@ -28,7 +31,9 @@ typedef struct clod_wall_mesh {
     int32_t *wall;          ///< owned [count]: number of the wall
     int32_t *material;      ///< owned [count]
     int32_t *shape;         ///< owned [count]: clod_shape_kind of what it is cut from
-    bool wears;             ///< some wall has sums of its places (state/wear.h)
+    int32_t *part;          ///< owned [count]: number of the line of `parts`; -1: none
+    char *parts; ///< owned: parts of meshes and belts, "WALL.PART", one a line; "": no names
+    bool wears;  ///< some wall has sums of its places (state/wear.h)
     double (*wear)[CLOD_WALL_MESH_WEAR]; ///< owned [count] if so: densities, in that order
 } clod_wall_mesh;
 

@@ -11,6 +11,7 @@ typedef enum clod_mesh_fault {
     CLOD_MESH_FAULT_NONMANIFOLD,
     CLOD_MESH_FAULT_TWISTED,
     CLOD_MESH_FAULT_DUPLICATE, ///< facets in its place were dropped
+    CLOD_MESH_FAULT_OVERLAP,   ///< over or below another one in its plane
     CLOD_MESH_FAULT_TURNED,
     CLOD_MESH_FAULT_NEEDLE,
     CLOD_MESH_FAULT_SLIVER,

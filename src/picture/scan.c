@@ -103,15 +103,13 @@ static bool look_at_walls(clod_scan *self, const char *path, size_t frames,
     clod_stage_walls seen = {0};
     bool good = file != NULL && (self->walls.field == NULL ||
                                  clod_channel_add(&self->walls, file, frames, status));
-    good = good && clod_stage_walls_read(&seen, file, status);
+    good = good && clod_stage_walls_read(&seen, file, &self->hidden, status);
     for (size_t t = 0; good && t < seen.count; t++) {
         if (seen.plane[t]) {
             bound_by_plane(&planes, &grains, seen.corner[t++]); // and its other half
             continue;
         }
-        const int32_t wall = seen.wall[t];
-        const bool hidden = wall >= 0 && wall < CLOD_SCAN_WALLS && self->hidden[wall];
-        for (int c = 0; c < 3 && !hidden; c++) {
+        for (int c = 0; c < 3 && !seen.hidden[t]; c++) {
             clod_cutaway_include(box, seen.corner[t][c]);
         }
     }
@@ -177,31 +175,92 @@ static bool look(clod_scan *self, clod_status *status)
     return true;
 }
 
-/** Walls that are not to be shown, by name or number. */
+/** Put a name into a list for a message. */
+static void list_name(char *list, size_t size, const char *name, size_t length)
+{
+    const size_t used = strlen(list);
+    snprintf(list + used, size - used, "%s%.*s", used > 0 ? ", " : "", (int)length, name);
+}
+
+static bool fail_hide(const clod_film *film, const char *asked, const char *parts,
+                      clod_status *status)
+{
+    char walls[1024] = "", named[2048] = "";
+    for (size_t k = 0; clod_film_wall_name(film, k) != NULL; k++) {
+        const char *name = clod_film_wall_name(film, k);
+        list_name(walls, sizeof walls, name, strlen(name));
+    }
+    while (parts[0] != '\0') {
+        const size_t length = strcspn(parts, "\n");
+        if (length > 0 && parts[length - 1] != '.') { // it has a name
+            list_name(named, sizeof named, parts, length);
+        }
+        parts += length + (parts[length] == '\n');
+    }
+    return clod_status_fail(status, CLOD_USAGE,
+                            "--hide %s: %s has no such wall or part. Walls: %s; or their "
+                            "numbers, from 0. Parts: %s.",
+                            asked, film->folder, walls[0] != '\0' ? walls : "names unknown",
+                            named[0] != '\0' ? named : "none in its snapshots");
+}
+
+/** The parts that walls of a frame have, into `names`; "" where there are none. */
+static bool read_parts(const clod_film_frame *frame, char *names, clod_status *status)
+{
+    names[0] = '\0';
+    if (frame->walls == NULL) {
+        return true;
+    }
+    clod_vtkhdf *file = clod_vtkhdf_open(frame->walls, status);
+    if (file != NULL) {
+        clod_vtkhdf_parts(file, names);
+    }
+    const bool good = file != NULL;
+    clod_vtkhdf_close(&file);
+    return good;
+}
+
+/** Whether a line of a text is this one, and no part without a name. */
+static bool has_line(const char *text, const char *line)
+{
+    const size_t length = strlen(line);
+    while (text[0] != '\0') {
+        const size_t here = strcspn(text, "\n");
+        if (here == length && strncmp(text, line, length) == 0) {
+            return length > 0 && line[length - 1] != '.';
+        }
+        text += here + (text[here] == '\n');
+    }
+    return false;
+}
+
+/** What is not to be shown: walls by name or number, parts of their meshes as WALL.PART. */
 static bool hide(clod_scan *self, const clod_picture_options *options, clod_status *status)
 {
-    self->hidden = clod_memory_alloc(CLOD_SCAN_WALLS, sizeof *self->hidden);
-    if (self->hidden == NULL) {
-        return fail_memory(status);
+    clod_stage_hidden *hidden = &self->hidden;
+    char *names = clod_memory_alloc(CLOD_VTKHDF_PARTS, 1);
+    hidden->wall = clod_memory_alloc(CLOD_SCAN_WALLS, sizeof *hidden->wall);
+    hidden->wall_count = hidden->wall != NULL ? CLOD_SCAN_WALLS : 0;
+    hidden->part = clod_memory_alloc(options->hidden_count + 1, sizeof *hidden->part);
+    bool good = names != NULL && hidden->wall != NULL && hidden->part != NULL;
+    if (!good) {
+        fail_memory(status);
     }
-    for (size_t h = 0; h < options->hidden_count; h++) {
-        const int wall = clod_film_wall(&self->film[0], options->hidden[h]);
-        if (wall < 0) {
-            char names[2048] = "";
-            for (size_t k = 0; clod_film_wall_name(&self->film[0], k) != NULL; k++) {
-                const size_t used = strlen(names);
-                snprintf(names + used, sizeof names - used, "%s%s", k > 0 ? ", " : "",
-                         clod_film_wall_name(&self->film[0], k));
-            }
-            return clod_status_fail(status, CLOD_USAGE,
-                                    "--hide %s: %s has no such wall. Walls: %s; or their "
-                                    "numbers, from 0.",
-                                    options->hidden[h], self->film[0].folder,
-                                    names[0] != '\0' ? names : "names unknown");
+    good = good && (options->hidden_count == 0 ||
+                    read_parts(clod_scan_frame(self, 0, 0), names, status));
+    for (size_t h = 0; good && h < options->hidden_count; h++) {
+        const char *asked = options->hidden[h];
+        const int wall = clod_film_wall(&self->film[0], asked);
+        if (wall >= 0) {
+            hidden->wall[wall] = true;
+        } else if (has_line(names, asked)) {
+            hidden->part[hidden->part_count++] = asked;
+        } else {
+            good = fail_hide(&self->film[0], asked, names, status);
         }
-        self->hidden[wall] = true;
     }
-    return true;
+    clod_memory_free(names);
+    return good;
 }
 
 bool clod_scan_make(clod_scan *self, const clod_picture_options *options, clod_status *status)
@@ -215,14 +274,12 @@ bool clod_scan_make(clod_scan *self, const clod_picture_options *options, clod_s
             return false;
         }
     }
-    self->stage =
-        (clod_stage){&self->grains, &self->walls, NULL, CLOD_SCAN_WALLS, CLOD_CUTAWAY_EMPTY};
+    self->stage = (clod_stage){&self->grains, &self->walls, &self->hidden, CLOD_CUTAWAY_EMPTY};
     const bool good = choose_frames(self, options, status) && hide(self, options, status) &&
                       look(self, status) &&
                       clod_channel_settle(&self->grains, options->range, options->map,
                                           &self->film[0], status) &&
                       clod_channel_settle(&self->walls, NULL, NULL, &self->film[0], status);
-    self->stage.hidden = self->hidden;
     return good;
 }
 
@@ -234,6 +291,7 @@ void clod_scan_fini(clod_scan *self)
     }
     clod_channel_fini(&self->grains);
     clod_channel_fini(&self->walls);
-    clod_memory_free(self->hidden);
+    clod_memory_free(self->hidden.wall);
+    clod_memory_free(self->hidden.part);
     *self = (clod_scan){0};
 }

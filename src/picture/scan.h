@@ -19,8 +19,8 @@ typedef struct clod_scan {
     clod_cutaway_box seen;     ///< of the grains; of the walls where there are none
     clod_cutaway_box seen_now; ///< of the grains of the frame that is looked at
     clod_cutaway_box planes;   ///< where planes at the sides of all grains end each other
-    bool *hidden;              ///< [CLOD_SCAN_WALLS] owned
-    clod_stage stage;          ///< points to what is above
+    clod_stage_hidden hidden;
+    clod_stage stage; ///< points to what is above
 } clod_scan;
 
 /**

@@ -77,18 +77,55 @@ static bool find_planes(clod_stage_walls *self, const clod_vtkhdf *file, clod_st
     return good;
 }
 
-bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file, clod_status *status)
+static bool is_hidden_part(const clod_stage_hidden *hidden, const char *name, size_t length)
+{
+    for (size_t p = 0; p < hidden->part_count; p++) {
+        if (strlen(hidden->part[p]) == length && strncmp(hidden->part[p], name, length) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** Hide the triangles of some parts. */
+static bool hide_parts(clod_stage_walls *self, const clod_vtkhdf *file,
+                       const clod_stage_hidden *hidden, clod_status *status)
+{
+    char *names = clod_memory_alloc(CLOD_VTKHDF_PARTS, 1);
+    clod_field part = {0};
+    bool good = names != NULL || fail_memory(status);
+    if (good && hidden->part_count > 0 && clod_vtkhdf_parts(file, names)) {
+        good = clod_field_read(&part, file, CLOD_VTKHDF_CELLS, "part", status);
+    }
+    int32_t number = 0;
+    for (const char *line = names; good && part.value != NULL && line[0] != '\0'; number++) {
+        const size_t length = strcspn(line, "\n");
+        const bool hides = is_hidden_part(hidden, line, length);
+        for (size_t t = 0; hides && t < self->count; t++) {
+            self->hidden[t] = self->hidden[t] || part.value[t] == number;
+        }
+        line += length + (line[length] == '\n');
+    }
+    clod_memory_free(names);
+    clod_field_fini(&part);
+    return good;
+}
+
+bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file,
+                           const clod_stage_hidden *hidden, clod_status *status)
 {
     const size_t n = file->rows[CLOD_VTKHDF_CELLS];
     clod_field number = {0};
     *self = (clod_stage_walls){n, clod_memory_alloc(n + 1, sizeof *self->corner),
                                clod_memory_alloc(n + 1, sizeof *self->wall),
-                               clod_memory_alloc(n + 1, sizeof *self->plane)};
+                               clod_memory_alloc(n + 1, sizeof *self->plane),
+                               clod_memory_alloc(n + 1, sizeof *self->hidden)};
     double(*point)[3] = clod_vtkhdf_points(file, status);
     size_t(*triangle)[3] = point != NULL ? clod_vtkhdf_triangles(file, status) : NULL;
     bool good =
         triangle != NULL && clod_field_read(&number, file, CLOD_VTKHDF_CELLS, "wall", status);
-    if (good && (self->corner == NULL || self->wall == NULL || self->plane == NULL)) {
+    if (good && (self->corner == NULL || self->wall == NULL || self->plane == NULL ||
+                 self->hidden == NULL)) {
         good = fail_memory(status);
     }
     for (size_t k = 0; good && k < 3 * n; k++) {
@@ -96,12 +133,14 @@ bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file, clod
                sizeof self->corner[0][0]);
     }
     for (size_t t = 0; good && t < n; t++) {
-        self->wall[t] = (int32_t)number.value[t];
+        const int32_t wall = (int32_t)number.value[t];
+        self->wall[t] = wall;
+        self->hidden[t] = wall >= 0 && (size_t)wall < hidden->wall_count && hidden->wall[wall];
     }
     clod_memory_free(point);
     clod_memory_free(triangle);
     clod_field_fini(&number);
-    return good && find_planes(self, file, status);
+    return good && find_planes(self, file, status) && hide_parts(self, file, hidden, status);
 }
 
 void clod_stage_walls_fini(clod_stage_walls *self)
@@ -109,6 +148,7 @@ void clod_stage_walls_fini(clod_stage_walls *self)
     clod_memory_free(self->corner);
     clod_memory_free(self->wall);
     clod_memory_free(self->plane);
+    clod_memory_free(self->hidden);
     *self = (clod_stage_walls){0};
 }
 
@@ -130,7 +170,7 @@ static void free_given(given *self)
 static bool read_given(const clod_stage *self, const clod_vtkhdf *file, given *walls,
                        clod_status *status)
 {
-    if (!clod_stage_walls_read(&walls->of, file, status) ||
+    if (!clod_stage_walls_read(&walls->of, file, self->hidden, status) ||
         !clod_field_read(&walls->speed, file, CLOD_VTKHDF_CELLS, "velocity", status) ||
         (self->walls->field != NULL && !clod_field_read(&walls->colour, file, CLOD_VTKHDF_CELLS,
                                                         self->walls->field, status))) {
@@ -174,9 +214,7 @@ static bool put_walls(const clod_stage *self, const given *walls, clod_scene *sc
         return fail_memory(status);
     }
     for (size_t t = 0; t < walls->of.count; t++) {
-        const int32_t wall = walls->of.wall[t];
-        const bool hidden =
-            wall >= 0 && (size_t)wall < self->hidden_count && self->hidden[wall];
+        const bool hidden = walls->of.hidden[t];
         double piece[CLOD_CUTAWAY_PIECES][3][3];
         if (clips && walls->of.plane[t]) {
             const size_t pieces = clod_cutaway_clip(&self->clip, walls->of.corner + t, piece);

@@ -8,11 +8,18 @@
 #include "picture/channel.h"
 #include "picture/cutaway.h"
 
+/** What of the walls is not shown. */
+typedef struct clod_stage_hidden {
+    bool *wall; ///< [wall_count] owned by number
+    size_t wall_count;
+    const char **part; ///< [part_count] owned, texts borrowed: "WALL.PART"
+    size_t part_count;
+} clod_stage_hidden;
+
 /** What all frames have in common. */
 typedef struct clod_stage {
     const clod_channel *grains, *walls; ///< colours; walls->field may be NULL
-    const bool *hidden;                 ///< [hidden_count] walls that are not shown
-    size_t hidden_count;
+    const clod_stage_hidden *hidden;
     clod_cutaway_box clip; ///< planes end here
 } clod_stage;
 
@@ -22,6 +29,7 @@ typedef struct clod_stage_walls {
     double (*corner)[3][3]; ///< [count] m
     int32_t *wall;          ///< [count] number of the wall
     bool *plane;            ///< [count] the first of two that show a plane without an end
+    bool *hidden;           ///< [count]
 } clod_stage_walls;
 
 /**
@@ -29,11 +37,12 @@ typedef struct clod_stage_walls {
  * `shape`; in a file without it, written before there was one, none do: its planes are drawn as
  * the squares that they are there.
  *
- * @param self  [out] clod_stage_walls_fini in any case
+ * @param hidden  what is not to be shown
+ * @param self    [out] clod_stage_walls_fini in any case
  * Errors  CLOD_USAGE: a damaged file; CLOD_FAILED: no memory.
  */
 bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file,
-                           clod_status *status);
+                           const clod_stage_hidden *hidden, clod_status *status);
 
 void clod_stage_walls_fini(clod_stage_walls *self);
 

@@ -196,3 +196,11 @@ void clod_vtkhdf_close(clod_vtkhdf **self)
     clod_memory_free(*self);
     *self = NULL;
 }
+
+bool clod_vtkhdf_parts(const clod_vtkhdf *self, char *names)
+{
+    memset(names, 0, CLOD_VTKHDF_PARTS);
+    return clod_vtkhdf_find(self, CLOD_VTKHDF_CELLS, "part") != NULL &&
+           clod_hdf_get_text(self->hdf, VTK_PARTS, VTK_PARTS_NAMES, names, CLOD_VTKHDF_PARTS) &&
+           names[0] != '\0';
+}

@@ -51,6 +51,16 @@ const clod_vtkhdf_column *clod_vtkhdf_find(const clod_vtkhdf *self, clod_vtkhdf_
 double *clod_vtkhdf_read(const clod_vtkhdf *self, clod_vtkhdf_place place,
                          const clod_vtkhdf_column *column, clod_status *status);
 
+/** Bytes of the names of parts. */
+#define CLOD_VTKHDF_PARTS 65536
+
+/**
+ * Names of the parts of walls, "WALL.PART", one a line; the column `part` of cells has their numbers.
+ * @param names  [CLOD_VTKHDF_PARTS] [out] "" where there are none
+ * @return       whether there are some
+ */
+bool clod_vtkhdf_parts(const clod_vtkhdf *self, char *names);
+
 /** Owned coordinates [point rows][3] in m, or NULL. */
 double (*clod_vtkhdf_points(const clod_vtkhdf *self, clod_status *status))[3];
 

@@ -1,9 +1,10 @@
-// Streams that cannot be meant: too fast for the step, removed where they come in, walls out of reach or
+// Streams that cannot be meant: too fast for the step, at rest, removed where they come in, walls out of reach or
 // through the regions of grains.
 
 #include <math.h>
 #include <stdio.h>
 
+#include "config/check.h"
 #include "config/region.h"
 #include "config/source.h"
 #include "setup/domain.h"
@@ -28,6 +29,48 @@ static void warn_speed(const clod_check_subject *subject, clod_check_report *r)
                 "the smallest grain, %.3g mm: grains would pass through each other and through "
                 "walls. Lower the velocity or time.step",
                 k, speed, 1e3 * speed * r->step, 1e3 * r->radius_min);
+        }
+    }
+}
+
+/** A warning that begins with a key, with where that stands and the line of the case. */
+static void warn_at(const clod_case *from, clod_check_report *r, clod_status *said)
+{
+    clod_source_tell(from, said);
+    clod_check_warning(r, "%s", said->text);
+}
+
+/** Grains that come at rest leave their region by falling, or not at all. */
+static void warn_rest(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case *from = subject->from;
+    for (size_t k = 0; k < from->grains_count; k++) {
+        const clod_case_grains *grains = &from->grains[k];
+        clod_status said;
+        if (!grains->comes || length3(grains->velocity) > 0.0) {
+            continue;
+        }
+        const double fraction = clod_check_rest_fraction(from, grains);
+        const bool by_mass = grains->inlet.mass_flow > 0.0;
+        const double flow = by_mass ? grains->inlet.mass_flow : grains->inlet.number_flow;
+        if (isinf(fraction)) {
+            clod_status_fail(
+                &said, CLOD_USAGE,
+                "grains.%zu.velocity: is zero, and there is no gravity: what comes "
+                "stays where it is, so the inlet is blocked as soon as its region "
+                "is full. Give a velocity that leads out of the region, or gravity",
+                k);
+            warn_at(from, r, &said);
+        } else if (fraction > CLOD_CHECK_DENSE) {
+            clod_status_fail(
+                &said, CLOD_USAGE,
+                "grains.%zu.velocity: is zero: grains only fall out of the region, "
+                "and this flow fills %.2g of it with them; random places without "
+                "overlap go up to %.2g, so the inlet will be blocked. Give a "
+                "velocity that leads out, a larger region, or at most %.4g %s",
+                k, fraction, CLOD_CHECK_DENSE, flow * CLOD_CHECK_DENSE / fraction,
+                by_mass ? "kg/s" : "grains/s");
+            warn_at(from, r, &said);
         }
     }
 }
@@ -88,6 +131,7 @@ static void tell(void *report, const char *text)
 void clod_check_streams_warn(const clod_check_subject *subject, clod_check_report *r)
 {
     warn_speed(subject, r);
+    warn_rest(subject, r);
     warn_outlets(subject, r);
     warn_walls(subject, r);
     clod_setup_regions_doubts(subject->from, &subject->state.walls, true, tell, r);

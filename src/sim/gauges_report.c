@@ -103,22 +103,36 @@ static double belt_speed(const clod_case *from, const char *name)
     return (double)NAN; // checked at load
 }
 
-/** How the stream meets the belt that takes it: along the gauge's direction, and across it downwards. */
-static void report_landing(FILE *out, const clod_case *from, const clod_case_gauge *asked,
-                           const clod_gauge *gauge, const means *self)
+/** How the stream meets the belt that takes it. */
+typedef struct landing {
+    double along; ///< m/s, the gauge's direction
+    double into;  ///< m/s, across that, downwards
+    double belt;  ///< m/s, speed of the belt
+} landing;
+
+/** False where the stream is not known, or no direction is upwards. */
+static bool landing_of(const clod_case *from, const clod_case_gauge *asked,
+                       const clod_gauge *gauge, const means *self, landing *to)
 {
     const clod_vec3 velocity = {self->mean[CLOD_GAUGE_OF_VELOCITY],
                                 self->mean[CLOD_GAUGE_OF_VELOCITY + 1],
                                 self->mean[CLOD_GAUGE_OF_VELOCITY + 2]};
-    const double along = clod_vec3_dot(velocity, gauge->direction);
-    const double speed = belt_speed(from, asked->belt);
-    if (isnan(along) || clod_vec3_length(gauge->up) == 0.0) {
-        return;
+    *to = (landing){.along = clod_vec3_dot(velocity, gauge->direction),
+                    .into = -clod_vec3_dot(velocity, gauge->up),
+                    .belt = belt_speed(from, asked->belt)};
+    return !isnan(to->along) && clod_vec3_length(gauge->up) > 0.0;
+}
+
+static void report_landing(FILE *out, const clod_case *from, const clod_case_gauge *asked,
+                           const clod_gauge *gauge, const means *self)
+{
+    landing it;
+    if (landing_of(from, asked, gauge, self, &it)) {
+        fprintf(out,
+                "  %-21s %.4g m/s along its direction, %.4g m/s into the belt; along less the "
+                "belt's %.4g m/s: %.4g m/s\n",
+                "", it.along, it.into, it.belt, it.along - it.belt);
     }
-    fprintf(out,
-            "  %-21s %.4g m/s along its direction, %.4g m/s into the belt; along less the "
-            "belt's %.4g m/s: %.4g m/s\n",
-            "", along, -clod_vec3_dot(velocity, gauge->up), speed, along - speed);
 }
 
 static void report_extras(FILE *out, const clod_case *whole, const clod_case_gauge *from,
@@ -236,6 +250,18 @@ static void put_alarm(json_t *object, const clod_gauge_alarm *alarm, double dt)
                                        : json_real((double)alarm->slow_since * dt));
 }
 
+static void put_landing(json_t *object, const clod_case *from, const clod_case_gauge *asked,
+                        const clod_gauge *gauge, const means *self)
+{
+    landing it;
+    if (landing_of(from, asked, gauge, self, &it)) {
+        json_object_set_new(object, "landing",
+                            json_pack("{s:f, s:f, s:f}", "along_m_per_s", it.along,
+                                      "into_m_per_s", it.into, "along_less_belt_m_per_s",
+                                      it.along - it.belt));
+    }
+}
+
 json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
 {
     const clod_gauges *all = memory;
@@ -257,6 +283,9 @@ json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
                                               clod_json_number(found.mean[v]), "deviation",
                                               clod_json_number(found.deviation[v])));
             }
+        }
+        if (mine->belt != NULL) {
+            put_landing(one, from, mine, &gauge, &found);
         }
         put_bins(one, mine, &gauge, &all->gauge[k]);
         if (mine->has_blocked) {

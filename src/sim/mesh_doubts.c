@@ -17,6 +17,7 @@ static const struct {
     {CLOD_MESH_TURNED, "facets turned"},
     {CLOD_MESH_DEGENERATE, "facets without area dropped"},
     {CLOD_MESH_DUPLICATE, "double facets dropped"},
+    {CLOD_MESH_OVERLAP, "facets over others in one plane"},
     {CLOD_MESH_NEEDLE, "needles"},
     {CLOD_MESH_SLIVER, "slivers"},
 };

@@ -60,12 +60,12 @@ static bed_sums sum_up(const clod_step *self, double fastest)
     return sums;
 }
 
-/** Fastest speed of any point of a wall [m/s]. */
-static double wall_speed(const clod_walls *walls)
+/** Fastest speed of any point of a wall [m/s]; no shape is looked at, a mesh may have many. */
+static double wall_speed(const clod_walls *walls, const clod_wall_rows *rows)
 {
     double fastest = 0.0;
     for (int32_t w = 0; w < walls->count; w++) {
-        fastest = fmax(fastest, clod_wall_speed_bound(&walls->wall[w]));
+        fastest = fmax(fastest, clod_wall_speed_within(&walls->wall[w], rows->reach[w]));
     }
     return fastest;
 }
@@ -81,7 +81,7 @@ clod_near_skins clod_step_skins(const clod_step *self, double speed)
                                              (2.0 * typical * fmax(bed.pairs, 1.0)))
                                       : 0.0;
     const double least = 0.5 * NEAR_LEAST * bed.smallest, most = 0.5 * skin;
-    const double walls = WALL_SUDDEN * time * wall_speed(&self->state->walls);
+    const double walls = WALL_SUDDEN * time * wall_speed(&self->state->walls, &self->walls);
     return (clod_near_skins){.time = time,
                              .least = fmin(fmax(least, time * some), most),
                              .most = most,

@@ -385,6 +385,8 @@ bool clod_verify_chute(const clod_verify_bench *bench, clod_status *status)
                        spoon_speed(4.0, 3.0, 0.5, M_PI / 3.0), status) && // 4.993939
            in_a_circle(bench, false, 1.0, 1.0, 0.2, M_PI / 2.0,
                        spoon_speed(1.0, 1.0, 0.2, M_PI / 2.0), status) &&
+           in_a_circle(bench, false, 0.0, 1.0, 0.2, M_PI / 2.0,
+                       spoon_speed(0.0, 1.0, 0.2, M_PI / 2.0), status) && // 3.185389
            in_a_circle(bench, true, 5.0, 1.0, 0.3, 75.0 * M_PI / 180.0,
                        hood_speed(5.0, 1.0, 0.3, 75.0 * M_PI / 180.0), status) && // 5.125595
            round_pulleys(bench, status) &&

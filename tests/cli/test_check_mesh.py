@@ -79,6 +79,15 @@ class CheckMesh(clod.Case):
         self.assertNotIn("sheet.obj: ", str(self.check()["warnings"]))
         self.assertNotIn("warning: walls.sheet", self.run_case())
 
+    def test_facets_over_others(self):
+        """Back and front of a square, cut along other diagonals."""
+        self.case(1)
+        with open(self.path("sheet.obj"), "a") as file:
+            file.write("f 2 3 4\nf 2 1 3\n")
+        said = "2 facets over others in one plane; `clod mesh` says where"
+        self.assertIn(said, str(self.check()["notes"]))
+        self.assertIn(said, self.run_case())
+
     def test_wrong_files(self):
         """A message names the case's line, the file, and what there is instead."""
         self.case(1)

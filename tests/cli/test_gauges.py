@@ -177,6 +177,9 @@ class Gauges(clod.Case):
         along, upward = (gauge[f"velocity_{axis}_m_per_s"]["mean"] for axis in "xz")
         self.assertIn(f"{along:.4g} m/s along its direction, {-upward:.4g} m/s into the belt; along less the belt's "
                       f"2 m/s: {along - v:.4g} m/s", done.stdout)
+        for key, value in (("along_m_per_s", along), ("into_m_per_s", -upward), ("along_less_belt_m_per_s", along - v)):
+            self.assertAlmostEqual(gauge["landing"][key], value, delta=1e-12)
+        self.assertNotIn("landing", summary["gauges"]["end"])  # it has no belt
         self.assertIn("+- is the standard deviation of those of 10 blocks", done.stdout)
         gained = 0.5 * q * (v * v - v0 * v0 - down * down)
         heat = 0.5 * q * ((v - v0)**2 + down * down) + q * G * height

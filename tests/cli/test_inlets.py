@@ -1,5 +1,6 @@
 """grains.N.inlet: grains that come during the run: rate, amount, residence, blocking, same bits."""
 
+import json
 import math
 import os
 import sys
@@ -53,6 +54,35 @@ class Inlets(clod.Case):
     def write(self, *groups, walls="", duration=1.5):
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE.format(groups="".join(groups), walls=walls, duration=duration))
+
+    def warnings(self, flow, velocity, gravity="-9.81 m/s2"):
+        """Those of `clod check` about an inlet at rest."""
+        self.write(group(f"mass_flow: {flow} kg/s").replace("    velocity: [0 m/s, 0 m/s, -1 m/s]\n", velocity))
+        text = clod.read(self.path("case.yaml")).decode().replace("0 m/s2, -9.81 m/s2", f"0 m/s2, {gravity}")
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(text)
+        done = clod.run("check", "--json", "case.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return [one for one in json.loads(done.stdout)["warnings"] if "velocity: is zero" in one]
+
+    def test_grains_that_come_at_rest(self):
+        """They fall out of the region, 40 mm high, in 2/3 sqrt(2 h/g) on the mean, and then fill
+        flow/density times that of its 160 x 160 x 40 mm: a quarter at 10.63 kg/s."""
+        most = 0.25 * DENSITY * 0.16 * 0.16 * 0.04 / (2 / 3 * math.sqrt(2 * 0.04 / GRAVITY))
+        still = "    velocity: [0 m/s, 0 m/s, 0 m/s]\n"
+        self.assertEqual(self.warnings(0.99 * most, still), [])
+        said, = self.warnings(1.2 * most, still)
+        self.assertIn("grains.0.velocity: is zero: grains only fall out of the region, and this flow fills 0.3 of it", said)
+        self.assertIn(f"or at most {most:.4g} kg/s", said)
+        # without gravity nothing ever leaves it; where a value stands, and a caret below
+        said, = self.warnings(0.1, still, "0 m/s2")
+        line, text, caret = said.split("\n")[:3]
+        self.assertIn("case.yaml:12:5: grains.0.velocity: is zero, and there is no gravity", line)
+        self.assertIn("velocity: [0 m/s, 0 m/s, 0 m/s]", text)
+        self.assertEqual(caret.index("^"), text.index("velocity"))
+        said, = self.warnings(0.1, "", "0 m/s2")  # zero when it is not given
+        self.assertIn("Give a velocity that leads out of the region, or gravity", said)
+        self.assertEqual(self.warnings(0.1, "    velocity: [0 m/s, 0 m/s, 1 m/s]\n", "0 m/s2"), [])
 
     def test_rate_amount_and_residence(self):
         """1 kg/s to half a grain; all that came is inside or left; time of fall by its formula."""

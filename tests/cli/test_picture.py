@@ -245,6 +245,37 @@ class Picture(clod.Case):
         # as wide as the domain, or not at all in that row; and as wide as the mesh
         self.assertGreater(ends[1], 2.5 * max(ends[0], 40))
 
+    def test_a_part_of_a_mesh_is_left_out(self):
+        """A closed box of sides and lid, a belt beside it. Without the lid the picture is that of a box that has none;
+        without all parts that without the wall. What is not there is named."""
+        corners = [(x, y, z) for z in (-9, 9) for x, y in ((-9, -9), (9, -9), (9, 9), (-9, 9))]
+        sides = "o sides\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 1 2 3 4\n"
+        with open(self.path("grains.csv"), "w") as file:
+            file.write("x [mm],y [mm],z [mm],radius [mm]\n0,0,0,4\n")
+        plane = "{plane: {point: [0 mm, 0 mm, -50 mm], normal: [0, 0, 1]}}"
+        belt = "{belt: {from: [20 mm, 0 mm, 0 mm], runs: [{length: 20 mm}], width: 10 mm, speed: 1 m/s}}"
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(CASE.format(title="Box").replace(plane, "{mesh: {file: box.obj, unit: 1 mm}}, " + belt))
+        for name, lid in (("closed", "o lid\nf 5 6 7 8\n"), ("open", "")):
+            with open(self.path("box.obj"), "w") as file:
+                file.writelines("v {} {} {}\n".format(*corner) for corner in corners)
+                file.write(sides + lid)
+            done = clod.run("run", "case.yaml", "-o", name, "--fresh", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+        def rows(run, *hidden):
+            self.picture(run, "-o", "a.png", "--from=0.03,-0.1,0.3", "--at=0,0,0", "--angle=10", "--size=300x300",
+                         "--quality=draft", *[f"--hide={name}" for name in hidden])
+            return Image(self.path("a.png")).rows
+        opened = rows("closed", "floor.lid")
+        self.assertEqual(opened, rows("open"))
+        self.assertNotEqual(opened, rows("closed"))
+        self.assertEqual(rows("closed", "floor.lid", "floor.sides", "floor.run 1"), rows("closed", "floor"))
+        self.assertNotEqual(opened, rows("closed", "floor"))
+        said = self.picture("closed", "--hide=floor.hood", code=2)
+        self.assertIn("--hide floor.hood: closed has no such wall or part. Walls: floor; or their numbers, from 0. "
+                      "Parts: floor.sides, floor.lid, floor.run 1.", said)
+
     def test_fields(self):
         for field in ("speed", "age", "birth", "kinetic_energy", "mass", "type", "id",
                       "coordination", "force", "omega_x", "velocity_y"):

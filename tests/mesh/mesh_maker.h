@@ -12,7 +12,7 @@
 #include "clod/mesh.h"
 #include "support/check.h"
 
-#define MAKER_MOST 40000
+#define MAKER_MOST 120000
 
 /** A binary STL in memory. */
 typedef struct maker {

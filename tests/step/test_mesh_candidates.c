@@ -1,6 +1,7 @@
 // Candidates at meshes (src/step/wall_mesh.c): at a rebuild and at a near list the patches and
 // slots, found by one walk for each surface, are those that clod_wall_rows_is_near tells of each
-// alone; and the facets that are noted are those within reach by their closest points.
+// alone; and the facets that are noted are those within reach by their closest points. A hundred
+// thousand facets elsewhere change none of it.
 #include "mesh/mesh_maker.h"
 #include "mesh/surface_touch.h"
 #include "step/wall_cells.h"
@@ -28,7 +29,7 @@ static void put(maker *made, const float p[4][3])
 }
 
 /** The unit cube, each side in 5 by 5 pieces: sharp rims. */
-static clod_surface *cube(void)
+static maker *make_cube(void)
 {
     maker *made = maker_new();
     for (int side = 0; side < 6; side++) {
@@ -43,7 +44,12 @@ static clod_surface *cube(void)
             put(made, (const float(*)[3])p);
         }
     }
-    return surface_of(made);
+    return made;
+}
+
+static clod_surface *cube(void)
+{
+    return surface_of(make_cube());
 }
 
 /** An open tube of radius 0.3 about the axis x = y = 0.5: many patches, rims at its ends. */
@@ -211,10 +217,94 @@ static void one_walk_finds_what_a_look_at_each_shape_finds(void **state)
     }
 }
 
+/** A ring of 100 352 facets that no grain reaches. */
+static void add_ring(maker *made)
+{
+    enum { U = 224, V = 224 };
+    for (int k = 0; k < U * V; k++) {
+        float p[4][3];
+        for (int c = 0; c < 4; c++) {
+            const double a = 2.0 * M_PI * ((k / V + (c == 1 || c == 2)) % U) / U;
+            const double b = 2.0 * M_PI * ((k % V + (c >= 2)) % V) / V;
+            p[c][0] =
+                (float)(0.5 + (4.0 + cos(b)) * cos(a)); // 2.5 m or more from the cube's middle
+            p[c][1] = (float)(0.5 + (4.0 + cos(b)) * sin(a));
+            p[c][2] = (float)(0.5 + sin(b));
+        }
+        put(made, (const float(*)[3])p);
+    }
+}
+
+/** Candidates of 400 grains about the cube, with or without the ring in the same file. */
+static clod_wall_candidates candidates_of(scene *s, bool ring)
+{
+    dice roll = {3};
+    clod_status status = {0};
+    const clod_case_contact ore = contact_ore();
+    scene_init(s, 1e-6, &ore);
+    for (int g = 0; g < GRAINS; g++) {
+        scene_grain(s, dice_real(&roll, -0.2, 1.2), dice_real(&roll, -0.2, 1.2),
+                    dice_real(&roll, -0.2, 1.2), dice_real(&roll, 0.01, 0.1));
+    }
+    maker *made = make_cube();
+    if (ring) {
+        add_ring(made);
+    }
+    add_surface(scene_wall(s, "floor", shape_floor(0.0)), surface_of(made));
+    clod_neighbour *search = &s->step.neighbour;
+    clod_neighbour_init(search, &s->state, false);
+    search->skin = 0.04;
+    assert_true(clod_neighbour_sort(search, &s->state, &status));
+    assert_true(clod_neighbour_build(search, &s->state, &s->laws, &status));
+    return search->walls;
+}
+
+static int compare_numbers(const void *left, const void *right)
+{
+    const uint32_t *a = left, *b = right;
+    return *a < *b ? -1 : *a > *b;
+}
+
+static void sorted_facets(const clod_wall_candidates *of, const clod_wall_candidate *at,
+                          uint32_t *number)
+{
+    assert_true(at->facets <= 600);
+    for (int32_t f = 0; f < at->facets; f++) {
+        number[f] = of->facet[at->facet + (size_t)f].number;
+    }
+    qsort(number, (size_t)at->facets, sizeof *number, compare_numbers);
+}
+
+static void facets_far_away_change_no_candidate(void **state)
+{
+    (void)state;
+    static scene few, many;
+    const clod_wall_candidates a = candidates_of(&few, false), b = candidates_of(&many, true);
+    assert_true(a.count > 500);
+    assert_int_equal(a.count, b.count);
+    size_t facets = 0;
+    for (size_t k = 0; k < a.count; k++) {
+        const clod_wall_candidate *x = &a.item[k], *y = &b.item[k];
+        assert_true(x->i == y->i && x->wall == y->wall && x->shape == y->shape);
+        assert_int_equal(x->facets, y->facets);
+        uint32_t own[600], other[600]; // in the order of the tree, which is another one
+        sorted_facets(&a, x, own);
+        sorted_facets(&b, y, other);
+        assert_memory_equal(own, other, (size_t)x->facets * sizeof *own);
+        facets += (size_t)x->facets;
+    }
+    assert_true(facets > 500);
+    clod_neighbour_fini(&few.step.neighbour);
+    clod_neighbour_fini(&many.step.neighbour);
+    clod_state_fini(&few.state);
+    clod_state_fini(&many.state);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_walk_finds_what_a_look_at_each_shape_finds),
+        cmocka_unit_test(facets_far_away_change_no_candidate),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
