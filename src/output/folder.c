@@ -207,6 +207,21 @@ static bool same_file(const struct stat *one, const struct stat *other)
     return one->st_dev == other->st_dev && one->st_ino == other->st_ino;
 }
 
+bool clod_folder_mark_of(const clod_folder *self, clod_folder_mark *mark, clod_status *status)
+{
+    struct stat lock;
+    if (fstatat(self->descriptor, CLOD_FOLDER_LOCK, &lock, AT_SYMLINK_NOFOLLOW) != 0) {
+        return clod_folder_fail(self, "look at", CLOD_FOLDER_LOCK, errno, status);
+    }
+    *mark = (clod_folder_mark){lock.st_ino, lock.st_mtim.tv_sec, lock.st_mtim.tv_nsec};
+    return true;
+}
+
+bool clod_folder_mark_equals(const clod_folder_mark *a, const clod_folder_mark *b)
+{
+    return a->file == b->file && a->seconds == b->seconds && a->nanoseconds == b->nanoseconds;
+}
+
 /** Look at a name and at an open file: 0 when they are the same, ENOENT when not, or errno. */
 static int compare(int folder, const char *name, int flags, int descriptor)
 {

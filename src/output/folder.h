@@ -6,6 +6,7 @@
  */
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "clod/status.h"
 
@@ -48,6 +49,19 @@ clod_folder *clod_folder_look(const char *path, clod_status *status);
  * Errors  CLOD_FAILED: moved away, removed or replaced.   Test  tests/output/test_folder.c
  */
 bool clod_folder_check(const clod_folder *self, clod_status *status);
+
+/** What tells a folder from another one of the same name, on whatever host: its lock file. Plain data, all of
+ *  its bytes are set. */
+typedef struct clod_folder_mark {
+    uint64_t file;                ///< number of the lock file in its file system
+    int64_t seconds, nanoseconds; ///< when it was locked last
+} clod_folder_mark;
+
+/** The mark of a folder that some run has locked.
+ *  Errors  CLOD_FAILED: it has no lock file.   Test  tests/output/test_folder.c */
+bool clod_folder_mark_of(const clod_folder *self, clod_folder_mark *mark, clod_status *status);
+
+bool clod_folder_mark_equals(const clod_folder_mark *a, const clod_folder_mark *b);
 
 /** Unlock, free and null the pointer; NULL is fine. */
 void clod_folder_close(clod_folder **self);

@@ -79,3 +79,34 @@ bool clod_rank_places_host(const clod_rank_place *place, int ranks, int rank,
     host->processors = known ? clod_rank_place_processors(&all) : 0;
     return true;
 }
+
+/** Whether a rank is on the host of another one and may use no other processors. */
+static bool is_within(const clod_rank_place *self, const clod_rank_place *other)
+{
+    bool within = strcmp(self->host, other->host) == 0;
+    for (int w = 0; within && w < CLOD_PLACE_WORDS; w++) {
+        within = (self->processor[w] & ~other->processor[w]) == 0;
+    }
+    return within;
+}
+
+bool clod_rank_places_crowded(const clod_rank_place *place, int ranks, int rank, int threads,
+                              clod_rank_host *host)
+{
+    if (host->processors == 0 || host->ranks * threads > host->processors) {
+        return host->processors > 0;
+    }
+    for (int r = rank; r < ranks; r++) {
+        const int processors = clod_rank_place_processors(&place[r]);
+        int within = 0;
+        for (int q = rank; q < ranks && strcmp(place[r].host, host->name) == 0; q++) {
+            within += is_within(&place[q], &place[r]);
+        }
+        if (within * threads > processors) {
+            host->ranks = within;
+            host->processors = processors;
+            return true;
+        }
+    }
+    return false;
+}

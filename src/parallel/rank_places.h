@@ -45,3 +45,15 @@ typedef struct clod_rank_host {
  */
 bool clod_rank_places_host(const clod_rank_place *place, int ranks, int rank,
                            clod_rank_host *host);
+
+/**
+ * The ranks of a host that have to share processors: of those that may use no others than some rank of the host
+ * may, the first group that has more than that.
+ *
+ * @param threads  of each rank
+ * @param host     [in,out] of `rank`, the first of its host; its ranks and processors become those of the group
+ * @return         false: each thread can have a processor of its own, as far as this tells
+ * Errors  none.   Threads  pure.   Test  tests/parallel/test_rank_places.c
+ */
+bool clod_rank_places_crowded(const clod_rank_place *place, int ranks, int rank, int threads,
+                              clod_rank_host *host);

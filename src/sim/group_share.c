@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "base/room.h"
 #include "output/folder.h"
+#include "output/folder_names.h"
 #include "parallel/ranks_collect.h"
 #include "sim/group_words.h"
 #include "sim/identity.h"
@@ -21,6 +22,7 @@ typedef struct batch_head {
     bool any_threads;
     char simd[16];
     double limit, used; ///< s, of the run
+    clod_folder_mark folder;
 } batch_head;
 
 /** Texts in their order, each with the zero byte at its end. */
@@ -114,10 +116,13 @@ static bool tell_batch(const clod_job_shared *sim, const clod_part *part, int co
 {
     clod_ranks *all = sim->options->ranks;
     clod_bytes rest = {0};
-    char *complete = clod_identity_complete(sim->from, status);
     batch_head head;
-    bool good = false;
     memset(&head, 0, sizeof head);
+    if (!clod_folder_mark_of(sim->folder, &head.folder, status)) {
+        return false;
+    }
+    char *complete = clod_identity_complete(sim->from, status);
+    bool good = false;
     head.groups = groups;
     head.count = count;
     head.threads = sim->options->threads;
@@ -228,15 +233,32 @@ static bool is_same_case(const share *self, clod_status *status)
     return same;
 }
 
+/** The folder, if it is that of rank 0. */
+static clod_folder *find_folder(const share *self, clod_status *status)
+{
+    clod_folder_mark mark;
+    clod_folder *folder = clod_folder_look(self->text.directory, status);
+    bool good = folder != NULL && clod_folder_mark_of(folder, &mark, status);
+    if (good && !clod_folder_mark_equals(&mark, &self->head->folder)) {
+        good = clod_status_fail(
+            status, CLOD_FAILED,
+            "%s is another folder here than on rank 0: its %s is not the one that rank 0 has locked.",
+            self->text.directory, CLOD_FOLDER_LOCK);
+    }
+    if (!good) {
+        clod_folder_close(&folder);
+    }
+    return folder;
+}
+
 /** Case, folder and parts. */
 static bool prepare(share *self, const char *told, clod_status *status)
 {
     const char *parts = find_texts(&self->text, told);
     self->from = clod_case_parse(self->text.path, self->text.complete,
                                  strlen(self->text.complete), NULL, 0, status);
-    self->folder = self->from != NULL && is_same_case(self, status)
-                       ? clod_folder_look(self->text.directory, status)
-                       : NULL;
+    self->folder =
+        self->from != NULL && is_same_case(self, status) ? find_folder(self, status) : NULL;
     self->part = self->folder != NULL ? clod_parts_create(clod_testers_of(self->from)->first,
                                                           self->from, self->head->count, status)
                                       : NULL;

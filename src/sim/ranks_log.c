@@ -36,8 +36,8 @@ void clod_ranks_log_places(const clod_job_shared *sim)
         json_t *processors = host.processors > 0 ? json_integer(host.processors) : json_null();
         json_array_append_new(hosts, json_pack("{s:s, s:i, s:o}", "host", host.name, "ranks",
                                                host.ranks, "processors", processors));
-        if (host.processors > 0 && host.ranks * threads > host.processors &&
-            options->notice != NULL) {
+        if (options->notice != NULL &&
+            clod_rank_places_crowded(ranks->place, ranks->size, r, threads, &host)) {
             char text[256 + CLOD_PLACE_HOST];
             snprintf(text, sizeof text,
                      "warning: %d rank%s on %s have %d processor%s for %d thread%s each: they "

@@ -38,10 +38,11 @@ static bool fill_folder(clod_job_shared *sim, const char *complete, clod_status 
 
 static bool run_case(const clod_job_shared *sim, char **report, clod_status *status)
 {
+    const bool one = sim->options->ranks != NULL && sim->any_threads; // of each rank
     clod_eventlog_write(sim->log, "start", "{s:s, s:s, s:s, s:i}", "version",
                         clod_version_text(), "case", sim->from->path, "title",
                         sim->from->title != NULL ? sim->from->title : "", "threads",
-                        sim->options->threads);
+                        one ? 1 : sim->options->threads);
     clod_ranks_log_places(sim);
     return clod_testers_of(sim->from)->run(sim, report, status);
 }

@@ -137,6 +137,17 @@ class Groups(clod.Case):
         told = f"rank 1 on {socket.gethostname()}: Cannot open out: No such file or directory."
         self.assertEqual(done.stderr.count(told), 1, done.stderr)
         self.assertFalse(any(name.endswith(".csv") for name in os.listdir(f"{here}/out")))
+        # a folder of the same name, in which an earlier run was
+        os.mkdir(f"{there}/out")
+        with open(f"{there}/out/.clod-lock", "w") as lock:
+            lock.write("1\n")
+        done = subprocess.run([*mpirun.MPIRUN, "1", "--wdir", here, *command,
+                               ":", "-n", "1", "--wdir", there, *command],
+                              text=True, timeout=600, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(f"rank 1 on {socket.gethostname()}: out is another folder here", done.stderr)
+        self.assertEqual(os.listdir(f"{there}/out"), [".clod-lock"])
 
     def test_a_time_limit(self):
         out = self.path("limited")

@@ -114,6 +114,8 @@ class Ranks(clod.Case):
         self.assertEqual(len(events), 1)
         self.assertEqual(events[0]["ranks"], processors + 1)
         self.assertEqual(events[0]["threads_each"], 1)
+        starts = [event["threads"] for event in clod.log(out) if event["event"] == "start"]
+        self.assertEqual(starts, [1])
         self.assertEqual(events[0]["hosts"], [{"host": socket.gethostname(),
                                                "ranks": processors + 1,
                                                "processors": processors}])

@@ -28,6 +28,41 @@ static void ranks_are_counted_by_host(void **state)
     assert_int_equal(host.processors, 2);
 }
 
+static int crowd(const clod_rank_place *place, int ranks, int threads, int *processors)
+{
+    clod_rank_host host;
+    assert_true(clod_rank_places_host(place, ranks, 0, &host));
+    const bool any = clod_rank_places_crowded(place, ranks, 0, threads, &host);
+    *processors = host.processors;
+    return any ? host.ranks : 0;
+}
+
+/** Hosts with enough processors for all ranks, of which some ranks may use too few. */
+static void ranks_that_share_some_processors_are_found(void **state)
+{
+    (void)state;
+    int processors;
+    static const clod_rank_place TWO_ON_ONE[] = {{.host = "a", .processor = {0xe}},
+                                                 {.host = "b", .processor = {1}},
+                                                 {.host = "a", .processor = {1}},
+                                                 {.host = "a", .processor = {1}}};
+    assert_int_equal(crowd(TWO_ON_ONE, 4, 1, &processors), 2);
+    assert_int_equal(processors, 1);
+    assert_int_equal(crowd(TWO_ON_ONE, 3, 1, &processors), 0); // one on 0, one on 1 to 3
+    assert_int_equal(crowd(TWO_ON_ONE, 3, 2, &processors), 1); // that on 0 has two threads
+    static const clod_rank_place NESTED[] = {{.host = "a", .processor = {0xf}},
+                                             {.host = "a", .processor = {3}},
+                                             {.host = "a", .processor = {1}},
+                                             {.host = "a", .processor = {2}}};
+    assert_int_equal(crowd(NESTED, 4, 1, &processors), 3); // all but the first on 0 and 1
+    assert_int_equal(processors, 2);
+    assert_int_equal(crowd(NESTED, 2, 2, &processors), 0);
+    assert_int_equal(crowd(NESTED, 4, 2, &processors), 4);
+    assert_int_equal(processors, 4);
+    static const clod_rank_place UNKNOWN[] = {{.host = "a"}, {.host = "a"}};
+    assert_int_equal(crowd(UNKNOWN, 2, 1, &processors), 0);
+}
+
 /** As taskset and the kernel's Cpus_allowed_list write them. */
 static void processors_are_listed(void **state)
 {
@@ -94,6 +129,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ranks_are_counted_by_host),
+        cmocka_unit_test(ranks_that_share_some_processors_are_found),
         cmocka_unit_test(processors_are_listed),
         cmocka_unit_test(processors_of_one_rank_that_are_not_known_are_not_counted),
         cmocka_unit_test(long_names_are_told_apart),
