@@ -151,12 +151,15 @@ int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod
     return found;
 }
 
-/** A search for the closest point of a slot. */
+#define ANY_SLOT (-1)
+
+/** A search for the closest point of a patch, in one slot or in any. */
 typedef struct slot_search {
     const clod_surface *surface;
     clod_vec3 from;
     int32_t patch, slot;
     clod_surface_closest best;
+    int32_t best_slot;
 } slot_search;
 
 static double look_at_slot(void *context, uint32_t number, double reach)
@@ -171,8 +174,11 @@ static double look_at_slot(void *context, uint32_t number, double reach)
         return reach;
     }
     clod_surface_facet_find(&facet, self->from, &hit.at);
-    if (slot_of(&hit) == self->slot && hit.at.distance < self->best.distance) {
+    const int32_t slot = slot_of(&hit);
+    if ((self->slot == ANY_SLOT || slot == self->slot) &&
+        hit.at.distance < self->best.distance) {
         self->best = hit.at;
+        self->best_slot = slot;
     }
     return reach;
 }
@@ -180,7 +186,16 @@ static double look_at_slot(void *context, uint32_t number, double reach)
 clod_surface_closest clod_surface_slot_closest(const clod_surface *self, int32_t patch,
                                                int32_t slot, clod_vec3 p, double most)
 {
-    slot_search search = {self, p, patch, slot, {.distance = INFINITY}};
+    slot_search search = {self, p, patch, slot, {.distance = INFINITY}, slot};
     clod_surface_near(self, p, most, look_at_slot, &search);
+    return search.best;
+}
+
+clod_surface_closest clod_surface_place_closest(const clod_surface *self, int32_t patch,
+                                                clod_vec3 p, double most, int32_t *slot)
+{
+    slot_search search = {self, p, patch, ANY_SLOT, {.distance = INFINITY}, 0};
+    clod_surface_near(self, p, most, look_at_slot, &search);
+    *slot = search.best_slot;
     return search.best;
 }

@@ -52,6 +52,17 @@ int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod
                            double radius, clod_surface_hit *hits);
 
 /**
+ * Closest point of a patch.
+ *
+ * @param most  m, farther ones do not count
+ * @param slot  [out] of a contact there
+ * @return      infinitely far where there is none
+ * Threads  pure.   Test  tests/sim/test_sim_mesh_ledger.c
+ */
+clod_surface_closest clod_surface_place_closest(const clod_surface *self, int32_t patch,
+                                                clod_vec3 p, double most, int32_t *slot);
+
+/**
  * Closest point of a patch among those whose contacts have a slot: where its contact in that slot
  * is.
  *

@@ -178,14 +178,33 @@ static void put_open(double row[4], double radius)
     row[3] = 2.0 * radius;
 }
 
+/** Whether another contact of a lane's patch is there in a slot. */
+static bool has_other(const lanes *self, size_t lane, int32_t slot)
+{
+    const clod_touch_lane *of = &self->lane[lane];
+    for (size_t l = 0; l < self->count; l++) {
+        const clod_touch_lane *other = &self->lane[l];
+        if (l != lane && other->surface == of->surface && other->patch == of->patch &&
+            other->slot == slot && has_history(self, l)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /** A contact of the step before that is open now: where its patch is. The energy ledger still books what it
- *  did on the way here; the row must not depend on which facets the lists have. */
+ *  did on the way here; the row must not depend on which facets the lists have. On a rim the slot may be
+ *  another one now: the nearest place is this contact's unless one in that slot has come loose too. */
 static void put_parted(const lanes *self, size_t lane, const clod_wall_pose *pose,
                        clod_vec3 from, double radius)
 {
     const clod_touch_lane *of = &self->lane[lane];
-    const clod_surface_closest at =
-        clod_surface_slot_closest(of->surface, of->patch, of->slot, from, 2.0 * radius);
+    int32_t slot;
+    clod_surface_closest at =
+        clod_surface_place_closest(of->surface, of->patch, from, 2.0 * radius, &slot);
+    if (slot != of->slot && has_other(self, lane, slot)) {
+        at = clod_surface_slot_closest(of->surface, of->patch, of->slot, from, 2.0 * radius);
+    }
     if (isfinite(at.distance)) {
         put_row(self->row[lane], pose, at.direction, at.distance);
     }
