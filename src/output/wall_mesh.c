@@ -197,13 +197,13 @@ static size_t triangles_of(const clod_shape *shape)
                                          : DRAWING[form_of(shape)].triangles;
 }
 
-/** A line for each part of all meshes, as far as there is room; "" if none has a name. Owned, or NULL
- *  without memory. */
+/** A line for each part of all meshes, up to the first for which there is no room; "" if none has a name.
+ *  Owned, or NULL without memory. */
 static char *name_parts(const clod_state *state)
 {
     char *text = clod_memory_alloc(CLOD_WALL_MESH_PARTS, 1);
     size_t used = 0;
-    bool named = false;
+    bool named = false, full = false;
     for (int32_t w = 0; text != NULL && w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
@@ -214,7 +214,8 @@ static char *name_parts(const clod_state *state)
                 snprintf(line, sizeof line, "%s.%s\n", wall->name, of->part_name[p]);
                 const size_t length = strlen(line);
                 named = named || of->part_name[p][0] != '\0';
-                if (used + length < CLOD_WALL_MESH_PARTS) {
+                full = full || used + length >= CLOD_WALL_MESH_PARTS;
+                if (!full) { // a line's number is that of its part
                     memcpy(text + used, line, length);
                     used += length;
                 }

@@ -276,6 +276,23 @@ class Picture(clod.Case):
         self.assertIn("--hide floor.hood: closed has no such wall or part. Walls: floor; or their numbers, from 0. "
                       "Parts: floor.sides, floor.lid, floor.run 1.", said)
 
+    def test_more_parts_than_a_snapshot_has_room_for(self):
+        """60 000 bytes of names; behind the first that does not fit no part has one, so no other part takes its
+        name."""
+        with open(self.path("grains.csv"), "w") as file:
+            file.write("x [mm],y [mm],z [mm],radius [mm]\n0,0,30,4\n")
+        with open(self.path("many.obj"), "w") as file:
+            for k, name in enumerate([f"part_of_some_length_{k:05d}" for k in range(1900)] + ["s0"]):
+                x, y = -40 + 2 * (k % 40), -49 + 2 * (k // 40)
+                file.write(f"o {name}\nv {x} {y} -5\nv {x + 1} {y} -5\nv {x} {y + 1} -5\nf -3 -2 -1\n")
+        plane = "{plane: {point: [0 mm, 0 mm, -50 mm], normal: [0, 0, 1]}}"
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(CASE.format(title="Many").replace(plane, "{mesh: {file: many.obj, unit: 1 mm}}"))
+        done = clod.run("run", "case.yaml", "-o", "many", "--fresh", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.picture("many", "-o", "a.png", "--size=200x200", "--quality=draft", "--hide=floor.part_of_some_length_01800")
+        self.assertIn("no such wall or part", self.picture("many", "--hide=floor.s0", code=2))
+
     def test_fields(self):
         for field in ("speed", "age", "birth", "kinetic_energy", "mass", "type", "id",
                       "coordination", "force", "omega_x", "velocity_y"):
