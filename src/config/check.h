@@ -60,11 +60,13 @@ void clod_check_streams(clod_loader *loader, const clod_case *self);
 #define CLOD_CHECK_DENSE 0.25
 
 /**
- * Solid fraction in the region of an inlet of grains that come at rest and fall out of it: volume flow
- * times the mean time of fall from a random height in it, 2/3 sqrt(2 h/g), over its volume.
- * @return  infinite without gravity
+ * Solid fraction at the bottom of the region of an inlet whose grains come at rest and fall out of it, with all that
+ * come at rest in the same space: grains from all heights pass there, each at sqrt(2 g y) after y, so volume flow
+ * times sqrt(2 h/g) over the volume, h the region's height along gravity. It is half as much again as the mean.
+ * @param index  of the group
+ * @return       infinite without gravity
  */
-double clod_check_rest_fraction(const clod_case *self, const clod_case_grains *grains);
+double clod_check_rest_fraction(const clod_case *self, size_t index);
 
 /** Check the face that grains come through, and complete it (check_region.c). */
 bool clod_check_face(clod_loader *loader, const char *path, clod_case_grains *grains);

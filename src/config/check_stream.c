@@ -60,22 +60,6 @@ static double fraction_of(const clod_case *self, const clod_case_grains *grains)
     return through > 0.0 ? solid_flow(self, grains) / through : 0.0;
 }
 
-double clod_check_rest_fraction(const clod_case *self, const clod_case_grains *grains)
-{
-    const double *g = self->gravity;
-    const double gravity = hypot(hypot(g[0], g[1]), g[2]);
-    if (gravity == 0.0) {
-        return HUGE_VAL;
-    }
-    double size[3], height = 0.0;
-    clod_region_row(&grains->region)->size(&grains->region, size);
-    for (int a = 0; a < 3; a++) {
-        height += size[a] * fabs(g[a]) / gravity;
-    }
-    const double volume = clod_region_area(&grains->region) * size[2];
-    return solid_flow(self, grains) * 2.0 / 3.0 * sqrt(2.0 * height / gravity) / volume;
-}
-
 /** Whether group b comes while group a begins, in the same space; of those that begin together
  *  the one that is written later has the others with it. */
 static bool is_with(const clod_case *self, size_t a, size_t b)
@@ -85,6 +69,34 @@ static bool is_with(const clod_case *self, size_t a, size_t b)
     const bool before = other->start < one->start || (other->start == one->start && b <= a);
     return self->grains[b].comes && goes_on && before &&
            clod_region_overlap(&self->grains[a].region, &self->grains[b].region);
+}
+
+/** As clod_check_rest_fraction, of one stream. */
+static double rest_fraction(const clod_case *self, const clod_case_grains *grains,
+                            double gravity)
+{
+    const double *g = self->gravity;
+    double size[3], height = 0.0;
+    clod_region_row(&grains->region)->size(&grains->region, size);
+    for (int a = 0; a < 3; a++) {
+        height += size[a] * fabs(g[a]) / gravity;
+    }
+    const double volume = clod_region_area(&grains->region) * size[2];
+    return solid_flow(self, grains) * sqrt(2.0 * height / gravity) / volume;
+}
+
+double clod_check_rest_fraction(const clod_case *self, size_t index)
+{
+    const double *g = self->gravity;
+    const double gravity = hypot(hypot(g[0], g[1]), g[2]);
+    double all = 0.0;
+    for (size_t k = 0; gravity > 0.0 && k < self->grains_count; k++) {
+        const double *v = self->grains[k].velocity;
+        if (is_with(self, index, k) && v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0) {
+            all += rest_fraction(self, &self->grains[k], gravity);
+        }
+    }
+    return gravity > 0.0 ? all : HUGE_VAL;
 }
 
 static void check_room(clod_loader *loader, const clod_case *self, size_t index)

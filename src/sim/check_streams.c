@@ -50,7 +50,7 @@ static void warn_rest(const clod_check_subject *subject, clod_check_report *r)
         if (!grains->comes || length3(grains->velocity) > 0.0) {
             continue;
         }
-        const double fraction = clod_check_rest_fraction(from, grains);
+        const double fraction = clod_check_rest_fraction(from, k);
         const bool by_mass = grains->inlet.mass_flow > 0.0;
         const double flow = by_mass ? grains->inlet.mass_flow : grains->inlet.number_flow;
         if (isinf(fraction)) {
@@ -65,9 +65,10 @@ static void warn_rest(const clod_check_subject *subject, clod_check_report *r)
             clod_status_fail(
                 &said, CLOD_USAGE,
                 "grains.%zu.velocity: is zero: grains only fall out of the region, "
-                "and this flow fills %.2g of it with them; random places without "
-                "overlap go up to %.2g, so the inlet will be blocked. Give a "
-                "velocity that leads out, a larger region, or at most %.4g %s",
+                "and with all that come at rest there they fill %.2g of its bottom; random "
+                "places without overlap go up to %.2g, so the inlet will be blocked. Give a "
+                "velocity that leads out, a larger region, or at most %.4g %s, others in "
+                "proportion",
                 k, fraction, CLOD_CHECK_DENSE, flow * CLOD_CHECK_DENSE / fraction,
                 by_mass ? "kg/s" : "grains/s");
             warn_at(from, r, &said);

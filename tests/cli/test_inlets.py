@@ -55,9 +55,9 @@ class Inlets(clod.Case):
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE.format(groups="".join(groups), walls=walls, duration=duration))
 
-    def warnings(self, flow, velocity, gravity="-9.81 m/s2"):
-        """Those of `clod check` about an inlet at rest."""
-        self.write(group(f"mass_flow: {flow} kg/s").replace("    velocity: [0 m/s, 0 m/s, -1 m/s]\n", velocity))
+    def warnings(self, flow, velocity, gravity="-9.81 m/s2", streams=1):
+        """Those of `clod check` about inlets at rest, of so many streams in one region."""
+        self.write(streams * group(f"mass_flow: {flow} kg/s").replace("    velocity: [0 m/s, 0 m/s, -1 m/s]\n", velocity))
         text = clod.read(self.path("case.yaml")).decode().replace("0 m/s2, -9.81 m/s2", f"0 m/s2, {gravity}")
         with open(self.path("case.yaml"), "w") as file:
             file.write(text)
@@ -66,14 +66,19 @@ class Inlets(clod.Case):
         return [one for one in json.loads(done.stdout)["warnings"] if "velocity: is zero" in one]
 
     def test_grains_that_come_at_rest(self):
-        """They fall out of the region, 40 mm high, in 2/3 sqrt(2 h/g) on the mean, and then fill
-        flow/density times that of its 160 x 160 x 40 mm: a quarter at 10.63 kg/s."""
-        most = 0.25 * DENSITY * 0.16 * 0.16 * 0.04 / (2 / 3 * math.sqrt(2 * 0.04 / GRAVITY))
+        """They fall out of the region, 40 mm high; at its bottom grains of all heights pass, and fill
+        flow/density sqrt(2 h/g) over its 160 x 160 x 40 mm of it: a quarter at 7.09 kg/s."""
+        most = 0.25 * DENSITY * 0.16 * 0.16 * 0.04 / math.sqrt(2 * 0.04 / GRAVITY)
         still = "    velocity: [0 m/s, 0 m/s, 0 m/s]\n"
         self.assertEqual(self.warnings(0.99 * most, still), [])
         said, = self.warnings(1.2 * most, still)
-        self.assertIn("grains.0.velocity: is zero: grains only fall out of the region, and this flow fills 0.3 of it", said)
+        self.assertIn("with all that come at rest there they fill 0.3 of its bottom", said)
         self.assertIn(f"or at most {most:.4g} kg/s", said)
+        said, = self.warnings(0.6 * most, still, streams=2)  # of a mix, each of which has room alone
+        self.assertIn("grains.1.velocity: is zero", said)
+        self.assertIn("they fill 0.3 of its bottom", said)
+        self.assertEqual(self.warnings(0.999 * most, still), [])
+        self.assertNotIn("blocked", self.go("most").stdout)  # there is room for that much
         # without gravity nothing ever leaves it; where a value stands, and a caret below
         said, = self.warnings(0.1, still, "0 m/s2")
         line, text, caret = said.split("\n")[:3]
