@@ -302,11 +302,17 @@ static bool find_all_pairs(clod_neighbour *self, const clod_state *state)
 
 bool clod_neighbour_fail_separated(const clod_state *state, uint64_t id, clod_status *status)
 {
+    const bool *periodic = state->domain.periodic;
     return clod_status_fail(status, CLOD_FAILED,
                             "step %lld: grain %llu is far away from a grain or wall that "
                             "it touched one step before; the time step (%g s) is most "
-                            "likely too large, see clod check",
-                            (long long)state->step, (unsigned long long)id, state->dt);
+                            "likely too large, see clod check%s",
+                            (long long)state->step, (unsigned long long)id, state->dt,
+                            periodic[0] || periodic[1] || periodic[2]
+                                ? "; or the grain crossed a periodic side within its radius of "
+                                  "where a wall ends: walls do not repeat, so let them end "
+                                  "farther from the side, or go on beyond both sides"
+                                : "");
 }
 
 bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
