@@ -242,7 +242,7 @@ static void doubt_facets(const clod_mesh *self, clod_mesh_report *report)
         warn(
             report,
             "Facets over each other in one plane were looked for at %zu of %zu facets only: too "
-            "many long ones lie aslant side by side. The others count as sheets of their own, "
+            "many lie over each other, or long ones aslant side by side. The others count as sheets of their own, "
             "which push once where they lie over each other.",
             self->view.facet_count - self->unsearched, self->view.facet_count);
     }
