@@ -42,7 +42,9 @@ static const clod_param DOMAIN_ROWS[] = {
      .fallback = "false false false",
      .example = "[true, false, false]",
      CLOD_AT(C, periodic),
-     .help = "Directions x, y, z in which the domain repeats itself; the other sides are open.",
+     .help = "Directions x, y, z in which the domain repeats itself; the other sides are open. "
+             "Walls do not repeat: let them end a radius before such a side, or go on "
+             "beyond both.",
      .source = "convention"},
     {.key = "open",
      .kind = CLOD_PARAM_CHOICE,
