@@ -27,6 +27,8 @@
 #define SLICE_SHORTEST 0.05   ///< s of wall-clock time
 #define SLICE_LONGEST 0.3     ///< s
 #define PROGRESS_INTERVAL 0.5 ///< s of wall-clock time
+#define SLOW_LEAST 1.0        ///< s that a checkpoint takes before it is called slow
+#define SLOW_SHARE 0.25       ///< of the time between two
 
 /** What exists only while the loop runs. */
 typedef struct job_loop {
@@ -41,7 +43,26 @@ typedef struct job_loop {
     int64_t slice;        ///< steps between two looks at clock and signals
     int64_t last_picture; ///< step of the last snapshot since the loop began; 0: none
     int saved;            ///< number of the last request to save that was heard
+    bool said_slow;       ///< that checkpoints take long
 } job_loop;
+
+/** Say once that checkpoints take much of the time. */
+static void tell_slow(job_loop *loop, double took)
+{
+    const double interval = loop->job->sim->from->output.checkpoint_interval;
+    char text[512];
+    if (loop->said_slow || took < SLOW_LEAST || took < SLOW_SHARE * interval) {
+        return;
+    }
+    loop->said_slow = true;
+    snprintf(
+        text, sizeof text,
+        "warning: %s: a checkpoint took %.3g s to write, and there is one every %.6g s: the "
+        "file system of %s is slow. Raise output.checkpoint_interval, or write into a "
+        "folder on another one with -o.",
+        loop->job->name, took, interval, loop->job->sim->directory);
+    clod_job_tell(loop->job, text);
+}
 
 /** Write everything; the tables first. */
 static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
@@ -55,7 +76,11 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     const bool good = clod_step_see_gone(&loop->step, status) &&
                       clod_job_tables_mark(&loop->tables, job, status) &&
                       clod_job_store(job, &bed, suffix, status);
-    loop->spent.checkpoint = fmax(loop->spent.checkpoint, clod_clock_now() - now);
+    const double took = clod_clock_now() - now;
+    loop->spent.checkpoint = fmax(loop->spent.checkpoint, took);
+    if (good) {
+        tell_slow(loop, took);
+    }
     return good;
 }
 

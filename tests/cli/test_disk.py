@@ -56,6 +56,20 @@ class Disk(clod.Case):
         self.assert_same_end(whole, folder, ["run"])
 
     @clod.quick_only
+    def test_slow_disk(self):
+        """The first checkpoint takes 2 s on its way to the disk: that is said once, and the run goes on."""
+        whole, folder = self.whole(), self.path("slow")
+        part = os.path.join(os.path.realpath(self.folder), "slow", "restart_a.h5.part")
+        shim = os.path.join(os.path.dirname(os.path.abspath(clod.BINARY)), "io_faults.so")
+        done = self.run_case(folder, env={**os.environ, "LD_PRELOAD": shim, "CLOD_FAULT_AT": "1",
+                                          "CLOD_FAULT_ONLY": f"fsync {part}", "CLOD_FAULT_SLOW": "2"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = f"and there is one every 0.02 s: the file system of {folder} is slow"
+        self.assertEqual(done.stderr.count(text), 1, done.stderr)
+        self.assertRegex(done.stderr, r"warning: run: a checkpoint took 2\.?\d* s to write")
+        self.assert_same_end(whole, folder, ["run"])
+
+    @clod.quick_only
     def test_full_disk(self):
         disk = self.path("disk")
         os.mkdir(disk)

@@ -8,6 +8,7 @@
 //   CLOD_FAULT_ERROR  errno value it fails with; 0: a read or write that does half of its work
 //   CLOD_FAULT_ON     1: every counted call from there on fails
 //   CLOD_FAULT_HANG   1: it does not come back, in place of failing
+//   CLOD_FAULT_SLOW   s that it takes, in place of failing
 //
 // A close that fails has closed, as on Linux. EINTR is only given to calls that may say so.
 
@@ -113,6 +114,11 @@ static int fault(const char *call, int descriptor, const char *name, bool may_in
     }
     while (number_of("CLOD_FAULT_HANG", 0) != 0) {
         pause(); // until a signal ends the program
+    }
+    const long slow = number_of("CLOD_FAULT_SLOW", 0);
+    if (slow > 0) {
+        sleep((unsigned)slow);
+        return 0;
     }
     return error != 0 ? error : may_be_short ? SHORT : 0;
 }
