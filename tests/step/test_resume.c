@@ -162,12 +162,13 @@ static void a_state_that_does_not_hold_together_is_refused(void **state)
     assert_false(clod_step_init(&s.step, &s.state, &s.laws, &one, &status));
     assert_int_equal(status.code, CLOD_FAILED);
     char text[512];
-    snprintf(text, sizeof text,
-             "step 1000: grain %llu is far away from a grain or wall that it touched one step "
-             "before; the time step (1e-06 s) is most likely too large, see clod check; or the "
-             "grain crossed a periodic side within its radius of where a wall ends: walls do not "
-             "repeat, so let them end farther from the side, or go on beyond both sides",
-             grain);
+    snprintf(
+        text, sizeof text,
+        "step 1000: grain %llu is far away from a grain or wall that it touched one step "
+        "before; the time step (1e-06 s) is most likely too large, see clod check; or the "
+        "grain crossed a periodic side within its radius of where a wall ends: walls do not "
+        "repeat, so let them end farther from the side, or go on beyond both sides",
+        grain);
     assert_string_equal(status.text, text);
     scene_end(&s);
 }
