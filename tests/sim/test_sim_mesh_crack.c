@@ -5,9 +5,8 @@
 
 #include "output/temp_folder.h"
 #include "support/mesh_file.h"
+#include "support/rolling_grains.h"
 #include "support/sim_made.h"
-
-#define GRAINS 20
 
 /** A wall of these shapes; grains are added. */
 static clod_sim *case_of(const char *shapes, int threads)
@@ -44,32 +43,12 @@ static clod_sim *two_files(const char *folder, double crack, int threads)
     return case_of(shapes, threads);
 }
 
-/** Let grains fall, slide and roll to the left over x = 0; where they are in the end. */
-static void run(clod_sim *sim, double to[GRAINS][3])
-{
-    for (int g = 0; g < GRAINS; g++) {
-        const clod_sim_grain grain = {
-            .id = 1 + (uint64_t)g,
-            .radius = 0.003,
-            .position = {0.0003 + 0.0001 * g, 0.0071 * (g - 10), 0.0031 + 0.0001 * (g % 3)},
-            .velocity = {-0.4, 0.005 * (g % 4), -0.1}};
-        CHECK(clod_sim_add_grain(sim, &grain, &status));
-    }
-    CHECK(clod_sim_advance(sim, 30000, &status));
-    const clod_sim_view view = sim_view(sim, "position");
-    for (int g = 0; g < GRAINS; g++) {
-        const size_t at = clod_sim_row_of_id(sim, 1 + (uint64_t)g);
-        memcpy(to[g], clod_sim_row(&view, at), sizeof to[g]);
-    }
-    clod_sim_destroy(&sim);
-}
-
-static double twin[GRAINS][3], found[GRAINS][3];
+static double twin[ROLLING_GRAINS][3], found[ROLLING_GRAINS][3];
 
 static int setup(void **temporary)
 {
-    run(case_of("{plane: {point: [0 m, 0 m, 0 m]}}", 1), twin);
-    for (int g = 0; g < GRAINS; g++) {
+    roll_over(case_of("{plane: {point: [0 m, 0 m, 0 m]}}", 1), twin);
+    for (int g = 0; g < ROLLING_GRAINS; g++) {
         assert_true(twin[g][0] < -0.0005); // all went over the crack
     }
     return temp_folder_make(temporary);
@@ -78,7 +57,7 @@ static int setup(void **temporary)
 static void files_that_meet_are_one_plane(void **temporary)
 {
     for (int threads = 1; threads <= 2; threads++) {
-        run(two_files(*temporary, 0.0, threads), found);
+        roll_over(two_files(*temporary, 0.0, threads), found);
         assert_memory_equal(found, twin, sizeof twin);
     }
 }
@@ -89,9 +68,9 @@ static void a_crack_is_hardly_felt(void **temporary)
 {
     static const double CRACKS[] = {1e-7, 1e-6, 1e-5, 3e-5};
     for (size_t c = 0; c < 4; c++) {
-        run(two_files(*temporary, CRACKS[c], 1), found);
+        roll_over(two_files(*temporary, CRACKS[c], 1), found);
         double most = 0.0;
-        for (int g = 0; g < GRAINS; g++) {
+        for (int g = 0; g < ROLLING_GRAINS; g++) {
             check_close(found[g][2], twin[g][2], 1e-7);
             most = fmax(most, hypot(found[g][0] - twin[g][0], found[g][1] - twin[g][1]));
         }

@@ -6,9 +6,9 @@
 
 #include "output/temp_folder.h"
 #include "support/mesh_file.h"
+#include "support/rolling_grains.h"
 #include "support/sim_made.h"
 
-#define GRAINS 20
 #define STIFF "{law: hooke, k1: 1000 N/m, restitution: 1, friction: 0}"
 #define STICKY                                                                                 \
     "{law: mepa, exponent: 1.5, k1: 4.75e7 N/m^1.5, k2: 2.37e8 N/m^1.5, k_adh: 2e7 N/m^1.5, "  \
@@ -54,36 +54,16 @@ static const char *sheet(const char *folder)
     return shape;
 }
 
-/** Let grains fall, slide and roll to the left over all seams; where they are in the end. */
-static void run(clod_sim *sim, double to[GRAINS][3])
-{
-    for (int g = 0; g < GRAINS; g++) {
-        const clod_sim_grain grain = {
-            .id = 1 + (uint64_t)g,
-            .radius = 0.003,
-            .position = {0.0003 + 0.0001 * g, 0.0071 * (g - 10), 0.0031 + 0.0001 * (g % 3)},
-            .velocity = {-0.4, 0.005 * (g % 4), -0.1}};
-        CHECK(clod_sim_add_grain(sim, &grain, &status));
-    }
-    CHECK(clod_sim_advance(sim, 30000, &status));
-    const clod_sim_view view = sim_view(sim, "position");
-    for (int g = 0; g < GRAINS; g++) {
-        const size_t at = clod_sim_row_of_id(sim, 1 + (uint64_t)g);
-        memcpy(to[g], clod_sim_row(&view, at), sizeof to[g]);
-    }
-    clod_sim_destroy(&sim);
-}
-
 static void grains_on_it_have_the_bits_of_the_plane(void **temporary)
 {
-    static double twin[GRAINS][3], found[GRAINS][3];
+    static double twin[ROLLING_GRAINS][3], found[ROLLING_GRAINS][3];
     const char *shape = sheet(*temporary);
-    run(case_of(STICKY, "-9.81 m/s2", "{plane: {point: [0 m, 0 m, 0 m]}}", 1), twin);
-    for (int g = 0; g < GRAINS; g++) {
+    roll_over(case_of(STICKY, "-9.81 m/s2", "{plane: {point: [0 m, 0 m, 0 m]}}", 1), twin);
+    for (int g = 0; g < ROLLING_GRAINS; g++) {
         assert_true(twin[g][0] < -0.0005 && twin[g][2] < 0.003); // went over the seam on it
     }
     for (int threads = 1; threads <= 2; threads++) {
-        run(case_of(STICKY, "-9.81 m/s2", shape, threads), found);
+        roll_over(case_of(STICKY, "-9.81 m/s2", shape, threads), found);
         assert_memory_equal(found, twin, sizeof twin);
     }
 }
