@@ -15,6 +15,7 @@
 typedef struct touching {
     const clod_surface *surface;             ///< of the facets that are added
     clod_surface_facet facet[TOUCHING_MOST]; ///< near ones
+    uint32_t near[TOUCHING_MOST];            ///< all of them
     int32_t count;
     clod_surface_hit hit[TOUCHING_MOST]; ///< those that overlap, the nearest first
     int32_t hits;
@@ -29,6 +30,7 @@ static inline double touching_take(void *context, uint32_t facet, double reach)
     if (self->count == TOUCHING_MOST) {
         abort();
     }
+    self->near[self->count] = (uint32_t)self->count;
     self->facet[self->count++] = clod_surface_facet_of(self->surface, facet);
     return reach;
 }
@@ -52,7 +54,7 @@ static inline void touching_near(touching *self, const clod_surface *surface, cl
 /** Contacts of a grain with what is near; how many. Each hit goes with one of them, not a farther one. */
 static inline int touching_find(touching *self, clod_vec3 p, double radius)
 {
-    self->hits = clod_surface_touch(self->facet, self->count, p, radius, self->hit);
+    self->hits = clod_surface_touch(self->facet, self->near, self->count, p, radius, self->hit);
     self->contacts = 0;
     for (int32_t k = 0; k < self->hits; k++) {
         const int32_t root = self->hit[k].root;
