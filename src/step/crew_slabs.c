@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/lower_bound.h"
 #include "base/memory.h"
 #include "parallel/ranks_collect.h"
 #include "step/crew_part.h"
@@ -43,16 +44,12 @@ static bool list_own(clod_crew *self, bool each)
 /** Place of a row among the own ones; own: there is none. */
 static size_t place_of(const clod_crew_slabs *self, int32_t row)
 {
-    size_t low = 0, high = self->own;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (self->row[middle] < row) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    clod_lower_bound in = {0, self->own};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
+        clod_lower_bound_halve(&in, self->row[middle] < row);
     }
-    return low < self->own && self->row[low] == row ? low : self->own;
+    return in.low < self->own && self->row[in.low] == row ? in.low : self->own;
 }
 
 static void note_each(clod_crew_slabs *self, int32_t row)
