@@ -64,6 +64,16 @@ static inline clod_vec3 clod_vec3_unit(clod_vec3 a)
     return clod_vec3_scale(a, 1.0 / clod_vec3_length(a));
 }
 
+/** Two directions that make a right-handed frame with axis[2], of unit length. */
+static inline void clod_vec3_complete(clod_vec3 axis[3])
+{
+    const clod_vec3 z = axis[2];
+    const clod_vec3 aside =
+        fabs(z.x) < 0.5 ? (clod_vec3){1.0, 0.0, 0.0} : (clod_vec3){0.0, 1.0, 0.0};
+    axis[0] = clod_vec3_unit(clod_vec3_axpy(aside, -clod_vec3_dot(aside, z), z));
+    axis[1] = clod_vec3_cross(z, axis[0]);
+}
+
 /** Rotate a about the unit vector `axis` by `angle` [rad] (Rodrigues). */
 static inline clod_vec3 clod_vec3_rotate(clod_vec3 a, clod_vec3 axis, double angle)
 {

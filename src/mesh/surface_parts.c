@@ -259,15 +259,6 @@ static void find_rims(clod_surface *self, const clod_mesh *mesh)
     }
 }
 
-static void complete_axes(clod_vec3 axis[3])
-{
-    const clod_vec3 z = axis[2];
-    const clod_vec3 aside =
-        fabs(z.x) < 0.5 ? (clod_vec3){1.0, 0.0, 0.0} : (clod_vec3){0.0, 1.0, 0.0};
-    axis[0] = clod_vec3_unit(clod_vec3_axpy(aside, -clod_vec3_dot(aside, z), z));
-    axis[1] = clod_vec3_cross(z, axis[0]);
-}
-
 /** A patch and its box from its facets. */
 static void include(clod_surface *self, uint32_t facet)
 {
@@ -293,7 +284,7 @@ static void find_patches(clod_surface *self, const clod_surface_links *links)
         }
         clod_surface_patch patch = {.part = self->part[f]};
         patch.axis[2] = normal_of(self, (uint32_t)f);
-        complete_axes(patch.axis);
+        clod_vec3_complete(patch.axis);
         for (int a = 0; a < 3; a++) {
             patch.low[a] = patch.from[a] = INFINITY;
             patch.high[a] = patch.to[a] = -INFINITY;

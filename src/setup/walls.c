@@ -14,16 +14,6 @@
 /** The mean velocity of a step is then within (2 pi/50)^2/24 = 0.07 % of the velocity in it. */
 #define STEPS_PER_PERIOD 50.0
 
-/** Two directions that make a right-handed frame with axis[2]. */
-static void complete_frame(clod_vec3 axis[3])
-{
-    const clod_vec3 z = axis[2];
-    const clod_vec3 aside =
-        fabs(z.x) < 0.5 ? (clod_vec3){1.0, 0.0, 0.0} : (clod_vec3){0.0, 1.0, 0.0};
-    axis[0] = clod_vec3_unit(clod_vec3_axpy(aside, -clod_vec3_dot(aside, z), z));
-    axis[1] = clod_vec3_cross(z, axis[0]);
-}
-
 static clod_shape make_shape(const clod_case_shape *from)
 {
     clod_shape shape = {.kind = (clod_shape_kind)from->kind,
@@ -31,7 +21,7 @@ static clod_shape make_shape(const clod_case_shape *from)
     const clod_shape_kind_row *kind = clod_shape_kinds_row(shape.kind);
     kind->make(from, &shape);
     if (!kind->solid) {
-        complete_frame(shape.axis);
+        clod_vec3_complete(shape.axis);
     }
     return shape;
 }
