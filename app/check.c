@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "app.h"
-#include "arguments.h"
 #include "clod/check.h"
 #include "one_case.h"
 
@@ -129,11 +128,7 @@ int clod_app_check(int argc, char **argv)
     };
     clod_status status = {CLOD_OK, ""};
     request self = {.of = {.example = "clod new"}};
-    if (!clod_one_case_init(&self.of, argc, argv)) {
-        return CLOD_FAILED;
-    }
-    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
-        free(self.of.overrides);
+    if (!clod_one_case_init(&self.of, &argp, argc, argv, &self)) {
         return CLOD_FAILED;
     }
     const bool good = work(&self, &status);

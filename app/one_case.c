@@ -3,13 +3,21 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-bool clod_one_case_init(clod_one_case *self, int argc, char **argv)
+#include "arguments.h"
+
+bool clod_one_case_init(clod_one_case *self, const struct argp *argp, int argc, char **argv,
+                        void *input)
 {
     self->overrides = calloc((size_t)argc + 1, sizeof *self->overrides);
     if (self->overrides == NULL) {
         fprintf(stderr, "%s: out of memory\n", argv[0]);
+        return false;
     }
-    return self->overrides != NULL;
+    if (!clod_arguments_parse(argp, argc, argv, 0, input)) {
+        free(self->overrides);
+        return false;
+    }
+    return true;
 }
 
 error_t clod_one_case_parse(clod_one_case *self, int key, char *argument,

@@ -23,8 +23,14 @@ typedef struct clod_one_case {
         "set", 'S', "KEY=VALUE", 0, "change a key of the case; may be given often", 0          \
     }
 
-/** Make room for the overrides of a command line; false without memory, which is said. */
-bool clod_one_case_init(clod_one_case *self, int argc, char **argv);
+/**
+ * Read a command line.
+ *
+ * @param input  of the parser
+ * @return       false: what is wrong has been said, and nothing is owned
+ */
+bool clod_one_case_init(clod_one_case *self, const struct argp *argp, int argc, char **argv,
+                        void *input);
 
 /** What a parser of argp answers to keys that are not its own. */
 error_t clod_one_case_parse(clod_one_case *self, int key, char *argument,

@@ -16,7 +16,6 @@
 #include <unistd.h>
 
 #include "app.h"
-#include "arguments.h"
 #include "clod/run.h"
 #include "duration.h"
 #include "join.h"
@@ -304,11 +303,7 @@ int clod_app_run(int argc, char **argv)
         return failed;
     }
     request self = {.of.example = "clod new ring-shear", .options.ranks = ranks};
-    if (!clod_one_case_init(&self.of, argc, argv)) {
-        return 1;
-    }
-    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
-        free(self.of.overrides);
+    if (!clod_one_case_init(&self.of, &argp, argc, argv, &self)) {
         return CLOD_FAILED;
     }
     handle_signals();

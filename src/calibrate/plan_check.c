@@ -8,19 +8,6 @@
 
 #define PATH 200
 
-void clod_plan_complain(clod_loader *loader, const char *path, const char *format, ...)
-{
-    char text[3000];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    const clod_node *node = clod_tree_nearest(loader->root, path);
-    const bool value = node->kind == CLOD_NODE_SCALAR;
-    clod_report_add(loader->report, value ? node->place : clod_load_place(node), path, "%s",
-                    text);
-}
-
 /** A number and the unit behind it. */
 static bool read_end(clod_loader *loader, const clod_plan_parameter *self, const char *end,
                      const char *text, double *number, char unit[CLOD_PLAN_UNIT])
@@ -29,7 +16,7 @@ static bool read_end(clod_loader *loader, const clod_plan_parameter *self, const
     snprintf(path, sizeof path, "parameters.%.60s.%s", self->name, end);
     const char *rest = clod_unit_number(text, number);
     if (rest == NULL || strlen(rest) >= CLOD_PLAN_UNIT) {
-        clod_plan_complain(loader, path, "%s is no number with a unit", text);
+        clod_check_fail(loader, path, "%s is no number with a unit", text);
         return false;
     }
     snprintf(unit, CLOD_PLAN_UNIT, "%s", rest);
@@ -46,17 +33,17 @@ static void check_range(clod_loader *loader, clod_plan_parameter *self)
     }
     snprintf(path, sizeof path, "parameters.%.60s.to", self->name);
     if (strcmp(self->unit, unit) != 0) {
-        clod_plan_complain(loader, path,
-                           "has the unit \"%s\", but from has \"%s\"; give both in one", unit,
-                           self->unit);
+        clod_check_fail(loader, path,
+                        "has the unit \"%s\", but from has \"%s\"; give both in one", unit,
+                        self->unit);
     } else if (!(self->high > self->low)) {
-        clod_plan_complain(loader, path, "%s is not above from, %s", self->to, self->from);
+        clod_check_fail(loader, path, "%s is not above from, %s", self->to, self->from);
     } else if (self->scale == CLOD_PLAN_LOG && self->low <= 0.0) {
         snprintf(path, sizeof path, "parameters.%.60s.from", self->name);
-        clod_plan_complain(loader, path,
-                           "%s: a log scale begins above 0; give a small value, or scale: "
-                           "linear",
-                           self->from);
+        clod_check_fail(loader, path,
+                        "%s: a log scale begins above 0; give a small value, or scale: "
+                        "linear",
+                        self->from);
     }
 }
 
@@ -67,14 +54,13 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
     if (strspn(test->name,
                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") !=
         strlen(test->name)) {
-        clod_plan_complain(loader, path,
-                           "is no name for folders; use letters, digits, - and _");
+        clod_check_fail(loader, path, "is no name for folders; use letters, digits, - and _");
         return;
     }
     clod_status status = {CLOD_OK, ""};
     clod_case *plain = clod_case_load(test->path, NULL, 0, &status);
     if (plain == NULL) {
-        clod_plan_complain(loader, path, "%.800s", status.text);
+        clod_check_fail(loader, path, "%.800s", status.text);
         return;
     }
     clod_case_destroy(&plain);
@@ -84,12 +70,11 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
     const clod_test_kind *kind = clod_test_kinds_of(test->middle);
     const int64_t seeds = kind->seeds(test->middle);
     if (kind->numbers == NULL) {
-        clod_plan_complain(loader, path,
-                           "is a contact bench; only tests and free runs are run");
+        clod_check_fail(loader, path, "is a contact bench; only tests and free runs are run");
     } else if (seeds > 1) {
-        clod_plan_complain(loader, path,
-                           "the case has seeds: %lld; leave it out there, and give seeds here",
-                           (long long)seeds);
+        clod_check_fail(loader, path,
+                        "the case has seeds: %lld; leave it out there, and give seeds here",
+                        (long long)seeds);
     }
 }
 
@@ -97,26 +82,25 @@ static void check_numbers(clod_loader *loader, const clod_plan *self)
 {
     const size_t least = clod_plan_least_points(self->parameter_count);
     if (self->budget > 0.0 && self->points > 0) {
-        clod_plan_complain(loader, "points", "has a budget beside it; keep one of them");
+        clod_check_fail(loader, "points", "has a budget beside it; keep one of them");
     } else if (self->budget <= 0.0 && self->points == 0) {
-        clod_plan_complain(loader, "",
-                           "needs the key budget, for instance budget: 2 h, or points");
+        clod_check_fail(loader, "",
+                        "needs the key budget, for instance budget: 2 h, or points");
     } else if (self->points > 0 && (size_t)self->points < least) {
-        clod_plan_complain(loader, "points",
-                           "%lld is out of range; %zu parameters need at least %zu",
-                           (long long)self->points, self->parameter_count, least);
+        clod_check_fail(loader, "points",
+                        "%lld is out of range; %zu parameters need at least %zu",
+                        (long long)self->points, self->parameter_count, least);
     }
     if (self->parameter_count > CLOD_PLAN_PARAMETERS) {
-        clod_plan_complain(loader, "parameters",
-                           "are %zu; at most %d can be calibrated together",
-                           self->parameter_count, CLOD_PLAN_PARAMETERS);
+        clod_check_fail(loader, "parameters", "are %zu; at most %d can be calibrated together",
+                        self->parameter_count, CLOD_PLAN_PARAMETERS);
     }
     for (size_t k = 0; k < self->parameter_count; k++) {
         for (size_t m = 0; m < k; m++) {
             if (strcmp(self->parameters[k].key, self->parameters[m].key) == 0) {
-                clod_plan_complain(loader, "parameters", "%s and %s have the same key, %s",
-                                   self->parameters[m].name, self->parameters[k].name,
-                                   self->parameters[k].key);
+                clod_check_fail(loader, "parameters", "%s and %s have the same key, %s",
+                                self->parameters[m].name, self->parameters[k].name,
+                                self->parameters[k].key);
             }
         }
     }

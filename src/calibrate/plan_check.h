@@ -5,7 +5,7 @@
  */
 
 #include "calibrate/plan.h"
-#include "config/load.h"
+#include "config/check.h"
 
 /** Numbers of ranges, cases of the tests over all ranges, then the targets; errors in the
  *  report with their places. */
@@ -24,7 +24,3 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self);
 
 /** Targets that contradict each other (plan_conflicts.c). */
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
-
-/** Complain about a value: at its place, with its path. */
-void clod_plan_complain(clod_loader *loader, const char *path, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));

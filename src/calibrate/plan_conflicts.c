@@ -30,7 +30,7 @@ static void check_angles(clod_loader *loader, const clod_plan *self)
         const clod_plan_target *effective = with(self, t, "phi_e");
         if (line != NULL && effective != NULL &&
             line->value - effective->value > FIRM * hypot(line->error, effective->error)) {
-            clod_plan_complain(
+            clod_check_fail(
                 loader, "targets",
                 "test %s: phi_e %.1f deg in targets.%zu is below phi_lin %.1f deg in targets.%zu, which no "
                 "yield locus with a cohesion of 0 or more can have; are they interchanged?",
@@ -49,7 +49,7 @@ static void check_twice(clod_loader *loader, const clod_plan *self)
             const clod_plan_target *b = &self->targets[k];
             const double apart = fabs(a->value - b->value) / hypot(a->error, b->error);
             if (strcmp(a->name, b->name) == 0 && apart > 2.0 * FIRM) {
-                clod_plan_complain(
+                clod_check_fail(
                     loader, "targets",
                     "%s is there as %.6g %s in targets.%zu and as %.6g %s in targets.%zu, %.1f standard errors "
                     "apart: they contradict each other; leave one of them out, or give the errors that "

@@ -50,15 +50,14 @@ void clod_plan_check_key(clod_loader *loader, const clod_plan_parameter *self)
     snprintf(path, sizeof path, "parameters.%.60s.key", self->name);
     const clod_param *row = find_row(&CLOD_TABLE_CASE, self->key);
     if (strcmp(self->key, "seed") == 0) {
-        clod_plan_complain(
-            loader, path,
-            "seed is no parameter: every packing gets a seed of its own; leave it "
-            "out, and give seeds in the plan for more packings of each point");
+        clod_check_fail(loader, path,
+                        "seed is no parameter: every packing gets a seed of its own; leave it "
+                        "out, and give seeds in the plan for more packings of each point");
     } else if (row != NULL && row->kind == CLOD_PARAM_INTEGER) {
-        clod_plan_complain(loader, path,
-                           "%s takes whole numbers only, and a parameter takes every value "
-                           "between from and to; give it in the case",
-                           self->key);
+        clod_check_fail(loader, path,
+                        "%s takes whole numbers only, and a parameter takes every value "
+                        "between from and to; give it in the case",
+                        self->key);
     }
 }
 
@@ -113,14 +112,14 @@ static bool accepts(clod_loader *loader, const clod_plan *self, const clod_plan_
     clod_status status = {CLOD_OK, ""};
     clod_case *found = clod_plan_case(self, test, place, &status);
     if (found == NULL && path != NULL) {
-        clod_plan_complain(loader, path, "test %s refuses it: %.800s", test->name, status.text);
+        clod_check_fail(loader, path, "test %s refuses it: %.800s", test->name, status.text);
     } else if (found == NULL) {
         char settings[SETTINGS];
         write_settings(self, place, settings);
-        clod_plan_complain(loader, "parameters",
-                           "test %s refuses %s together, and every combination within the "
-                           "ranges may be run: %.800s",
-                           test->name, settings, status.text);
+        clod_check_fail(loader, "parameters",
+                        "test %s refuses %s together, and every combination within the "
+                        "ranges may be run: %.800s",
+                        test->name, settings, status.text);
     }
     const bool good = found != NULL;
     clod_case_destroy(&found);

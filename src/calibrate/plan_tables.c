@@ -71,15 +71,15 @@ static void make_point(maker *self, const clod_number *kind, const clod_plan_tar
     made.value = point.value;
     made.error = point.error;
     if (made.error <= 0.0) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, ""),
-                           "needs the key error: the table has no %s at %.6g kPa",
-                           table_of(self, made.test)->error_column, 1e-3 * point.stress);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, ""),
+                        "needs the key error: the table has no %s at %.6g kPa",
+                        table_of(self, made.test)->error_column, 1e-3 * point.stress);
     } else if (made.value < kind->least || made.value > kind->most) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
-                           "has a %s of %.6g %s at %.6g kPa; allowed is %.6g to %.6g %s",
-                           kind->key, kind->measure.factor * made.value, kind->measure.unit,
-                           1e-3 * point.stress, kind->measure.factor * kind->least,
-                           kind->measure.factor * kind->most, kind->measure.unit);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
+                        "has a %s of %.6g %s at %.6g kPa; allowed is %.6g to %.6g %s",
+                        kind->key, kind->measure.factor * made.value, kind->measure.unit,
+                        1e-3 * point.stress, kind->measure.factor * kind->least,
+                        kind->measure.factor * kind->most, kind->measure.unit);
     } else if (clod_plan_targets_check_stress(self, made.test, kind, kind->key, point.stress)) {
         clod_plan_targets_add(self, &made, kind->key);
     }
@@ -214,11 +214,11 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
         return;
     }
     char list[160];
-    clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
-                       "has no points with the preshear stress of test %s, %.6g kPa; it has %s "
-                       "kPa: give the case one of these",
-                       self->wish->test, 1e-3 * preshear,
-                       list_preshears(study, list, sizeof list));
+    clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
+                    "has no points with the preshear stress of test %s, %.6g kPa; it has %s "
+                    "kPa: give the case one of these",
+                    self->wish->test, 1e-3 * preshear,
+                    list_preshears(study, list, sizeof list));
 }
 
 /** The points of a measured yield locus; false with status. */
@@ -264,17 +264,17 @@ static void take_angles(maker *self, const clod_wall_locus *locus, sample_list *
         }
         found++;
         if (of->unsteady) {
-            clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
-                               "was not steady at %.6g kPa, and phi_x there is none of steady "
-                               "shear; leave that point out",
-                               1e-3 * stress);
+            clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
+                            "was not steady at %.6g kPa, and phi_x there is none of steady "
+                            "shear; leave that point out",
+                            1e-3 * stress);
             continue;
         }
         to->items[to->count++] = angle_of(&locus->marks[k], stress);
     }
     if (found == 0) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, "normal_stress"),
-                           "%.6g kPa: the table has no point there", 1e-3 * wanted);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "normal_stress"),
+                        "%.6g kPa: the table has no point there", 1e-3 * wanted);
     }
 }
 
@@ -323,22 +323,22 @@ void clod_plan_tables_make(clod_plan_maker *self, size_t test)
     const clod_case *from = self->plan->tests[test].middle;
     const clod_plan_table *table = table_of(self, test);
     if (table == NULL) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
-                           "test %s is neither a shear test nor a wall friction test; give "
-                           "number and value",
-                           wish->test);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
+                        "test %s is neither a shear test nor a wall friction test; give "
+                        "number and value",
+                        wish->test);
         return;
     }
     if (wish->number != NULL || wish->value != NULL ||
         (!table->one_stress && wish->normal_stress > 0.0)) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
-                           "has number%s beside it; the table has them all",
-                           table->one_stress ? " or value" : ", value or normal_stress");
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
+                        "has number%s beside it; the table has them all",
+                        table->one_stress ? " or value" : ", value or normal_stress");
         return;
     }
     clod_status status = {CLOD_OK, ""};
     if (!table->make(self, test, clod_number_find(from, table->number), &status)) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"), "%.800s",
-                           status.text);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"), "%.800s",
+                        status.text);
     }
 }

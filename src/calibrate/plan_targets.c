@@ -30,8 +30,7 @@ static bool quantity(maker *self, const char *key, const char *text, const clod_
     char message[CLOD_UNIT_MESSAGE];
     const char *unit = clod_unit_number(text, value);
     if (unit == NULL) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, key), "%s is no number",
-                           text);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, key), "%s is no number", text);
         return false;
     }
     if (unit[0] == '\0' && clod_number_is_path(kind)) {
@@ -39,8 +38,7 @@ static bool quantity(maker *self, const char *key, const char *text, const clod_
         return true;
     }
     if (!clod_unit_convert(unit, kind->unit, value, message)) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, key), "%s: %s", text,
-                           message);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, key), "%s: %s", text, message);
         return false;
     }
     return true;
@@ -52,8 +50,8 @@ bool clod_plan_targets_deviation(clod_plan_maker *self, const char *key, const c
     *value = 0.0;
     if (text == NULL) {
         if (needed) {
-            clod_plan_complain(self->loader, clod_plan_targets_at(self, ""),
-                               "needs the key error, the standard error of what was measured");
+            clod_check_fail(self->loader, clod_plan_targets_at(self, ""),
+                            "needs the key error, the standard error of what was measured");
         }
         return !needed;
     }
@@ -61,17 +59,16 @@ bool clod_plan_targets_deviation(clod_plan_maker *self, const char *key, const c
         return false;
     }
     if (*value < 0.0 || (needed && *value == 0.0)) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, key), "%s is not above 0",
-                           text);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, key), "%s is not above 0",
+                        text);
         return false;
     }
     if (*value > kind->most - kind->least) {
-        clod_plan_complain(
-            self->loader, clod_plan_targets_at(self, key),
-            "%s is more than all that is possible, %.6g to %.6g %s: such a target "
-            "tells nothing. Give at most a few times the scatter between specimens",
-            text, kind->measure.factor * kind->least, kind->measure.factor * kind->most,
-            kind->measure.unit);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, key),
+                        "%s is more than all that is possible, %.6g to %.6g %s: such a target "
+                        "tells nothing. Give at most a few times the scatter between specimens",
+                        text, kind->measure.factor * kind->least,
+                        kind->measure.factor * kind->most, kind->measure.unit);
         return false;
     }
     return true;
@@ -88,9 +85,8 @@ static bool find_test(maker *self, size_t *test)
         clod_suggest_offer(&near, self->plan->tests[k].name);
     }
     char hint[128];
-    clod_plan_complain(self->loader, clod_plan_targets_at(self, "test"),
-                       "there is no test %s%s", self->wish->test,
-                       clod_suggest_text(&near, hint, sizeof hint));
+    clod_check_fail(self->loader, clod_plan_targets_at(self, "test"), "there is no test %s%s",
+                    self->wish->test, clod_suggest_text(&near, hint, sizeof hint));
     return false;
 }
 
@@ -101,19 +97,19 @@ bool clod_plan_targets_check_stress(clod_plan_maker *self, size_t test, const cl
     const clod_test_kind *of = clod_test_kinds_of(from);
     if (!kind->at_stress) {
         if (stress > 0.0) {
-            clod_plan_complain(self->loader, clod_plan_targets_at(self, "normal_stress"),
-                               "%s has none", number);
+            clod_check_fail(self->loader, clod_plan_targets_at(self, "normal_stress"),
+                            "%s has none", number);
         }
         return stress <= 0.0;
     }
     if (stress <= 0.0) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, ""),
-                           "%s needs the key normal_stress", number);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, ""),
+                        "%s needs the key normal_stress", number);
         return false;
     }
     const bool there = of->has_stress(from, stress);
     if (!there) {
-        clod_plan_complain(
+        clod_check_fail(
             self->loader,
             clod_plan_targets_at(self, self->wish->locus != NULL ? "locus" : "normal_stress"),
             "%.6g kPa is %s of test %s; give it there", 1e-3 * stress, of->without_stress,
@@ -180,16 +176,16 @@ static void make_number(maker *self, size_t test)
     const clod_plan_wish *wish = self->wish;
     const clod_case *from = self->plan->tests[test].middle;
     if (wish->number == NULL || wish->value == NULL) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, ""), "needs %s, or locus",
-                           wish->number == NULL ? "number and value" : "value");
+        clod_check_fail(self->loader, clod_plan_targets_at(self, ""), "needs %s, or locus",
+                        wish->number == NULL ? "number and value" : "value");
         return;
     }
     const clod_number *kind = clod_number_find(from, wish->number);
     if (kind == NULL) {
         char hint[500];
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, "number"),
-                           "test %s has no number %s%s", wish->test, wish->number,
-                           clod_number_hint(from, wish->number, hint, sizeof hint));
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "number"),
+                        "test %s has no number %s%s", wish->test, wish->number,
+                        clod_number_hint(from, wish->number, hint, sizeof hint));
         return;
     }
     clod_plan_target made = {.test = test,
@@ -204,10 +200,10 @@ static void make_number(maker *self, size_t test)
         return;
     }
     if (made.value < kind->least || made.value > kind->most) {
-        clod_plan_complain(self->loader, clod_plan_targets_at(self, "value"),
-                           "%s is impossible; allowed is %.6g to %.6g %s", wish->value,
-                           kind->measure.factor * kind->least,
-                           kind->measure.factor * kind->most, kind->measure.unit);
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "value"),
+                        "%s is impossible; allowed is %.6g to %.6g %s", wish->value,
+                        kind->measure.factor * kind->least, kind->measure.factor * kind->most,
+                        kind->measure.unit);
         return;
     }
     clod_plan_targets_add(self, &made, wish->number);
@@ -232,7 +228,7 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
         used += self->targets[k].held_back ? 0 : 1;
     }
     if (loader->report->count == 0 && used == 0) {
-        clod_plan_complain(loader, "targets", "are all held back; at least one must be used");
+        clod_check_fail(loader, "targets", "are all held back; at least one must be used");
     }
     clod_plan_check_conflicts(loader, self);
     name_apart(self);

@@ -9,7 +9,7 @@
 
 void clod_check_fail(clod_loader *loader, const char *path, const char *format, ...)
 {
-    char message[512];
+    char message[1024];
     va_list args;
     va_start(args, format);
     vsnprintf(message, sizeof message, format, args);

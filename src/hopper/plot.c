@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/xml.h"
+
 #define TICKS 6.0
 #define INK "#222222"
 #define FONT "font-family=\"sans-serif\" fill=\"" INK "\""
@@ -37,32 +39,10 @@ static double y_of(const clod_plot *self, double y)
     return self->top + self->height * (1.0 - y / self->most_y);
 }
 
-/** A text as XML wants it. */
-static void put_escaped(FILE *out, const char *text)
-{
-    for (; *text != '\0'; text++) {
-        switch (*text) {
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '&':
-            fputs("&amp;", out);
-            break;
-        default:
-            if ((unsigned char)*text >= ' ' || *text == '\t' || *text == '\n') {
-                fputc(*text, out); // XML has no other control characters, not even escaped
-            }
-        }
-    }
-}
-
 static void put_words(FILE *out, double x, double y, const char *more, const char *text)
 {
     fprintf(out, "<text x=\"%.1f\" y=\"%.1f\" " FONT " %s>", x, y, more);
-    put_escaped(out, text);
+    clod_xml_text(out, text);
     fputs("</text>\n", out);
 }
 

@@ -3,13 +3,14 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "state/contact_walk.h"
 
-#define AT_A_TIME 256 // contacts
+#define MORE 256 // bonds
 
 static bool add_bond(clod_bonds *self, const clod_contact *contact)
 {
     if (self->count == self->room) {
-        const size_t room = self->room + self->room / 2 + AT_A_TIME;
+        const size_t room = self->room + self->room / 2 + MORE;
         void *bond = clod_memory_grow(self->bond, self->room, room, sizeof *self->bond);
         if (bond == NULL) {
             return false;
@@ -26,23 +27,20 @@ static bool read_contacts(clod_bonds *self, const clod_survey_part *here, double
 {
     const clod_contact_source *contacts = here->contacts;
     const clod_grains *grains = &here->state->grains;
-    clod_contact some[AT_A_TIME];
-    size_t pairs, walls, count;
+    const clod_contact *contact;
+    clod_contact_walk walk;
     bool good = true;
-    contacts->begin(contacts->context, &pairs, &walls);
-    do {
-        count = contacts->next(contacts->context, some, AT_A_TIME);
-        for (size_t k = 0; good && k < count; k++) {
-            if (some[k].shape >= 0) {
-                self->on_wall[some[k].i] = true;
-            } else if (contacts->strength != NULL) {
-                const double *a = grains->velocity[some[k].i];
-                const double *b = grains->velocity[some[k].j];
-                const double pull = contacts->strength(contacts->laws, &some[k]).pull_off;
-                good = !(pull > weight * fmin(a[3], b[3])) || add_bond(self, &some[k]);
-            }
+    clod_contact_walk_begin(&walk, contacts);
+    while (good && (contact = clod_contact_walk_next(&walk)) != NULL) {
+        if (contact->shape >= 0) {
+            self->on_wall[contact->i] = true;
+        } else if (contacts->strength != NULL) {
+            const double *a = grains->velocity[contact->i];
+            const double *b = grains->velocity[contact->j];
+            const double pull = contacts->strength(contacts->laws, contact).pull_off;
+            good = !(pull > weight * fmin(a[3], b[3])) || add_bond(self, contact);
         }
-    } while (good && count == AT_A_TIME);
+    }
     return good;
 }
 

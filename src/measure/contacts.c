@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#define AT_A_TIME 256 // contacts
+#include "state/contact_walk.h"
 
 // ---- contacts
 
@@ -44,21 +44,17 @@ static bool add_contacts(const clod_survey_question *question, const clod_survey
 {
     (void)status;
     contacts_sums *sums = question->sums;
-    const clod_contact_source *contacts = here->contacts;
-    clod_contact some[AT_A_TIME];
-    size_t pairs, walls, count;
+    const clod_contact *contact;
+    clod_contact_walk walk;
     for (size_t g = 0; g < here->state->grains.count; g++) {
         sums->grains += clod_survey_has(here, g);
     }
-    contacts->begin(contacts->context, &pairs, &walls);
-    do {
-        count = contacts->next(contacts->context, some, AT_A_TIME);
-        for (size_t k = 0; k < count; k++) {
-            if (clod_survey_has(here, (size_t)some[k].i)) {
-                add_contact(sums, here->state, &some[k]);
-            }
+    clod_contact_walk_begin(&walk, here->contacts);
+    while ((contact = clod_contact_walk_next(&walk)) != NULL) {
+        if (clod_survey_has(here, (size_t)contact->i)) {
+            add_contact(sums, here->state, contact);
         }
-    } while (count == AT_A_TIME);
+    }
     return true;
 }
 

@@ -4,8 +4,8 @@
 
 #include "base/memory.h"
 #include "measure/continuum_sums.h"
+#include "state/contact_walk.h"
 
-#define AT_A_TIME 256 // contacts
 #define IMAGES 27
 
 /** What a pass works with. */
@@ -130,15 +130,12 @@ static void add_contact(pass *self, const clod_contact_source *contacts,
 
 static void add_contacts(pass *self, const clod_contact_source *contacts)
 {
-    clod_contact some[AT_A_TIME];
-    size_t pairs, walls, count;
-    contacts->begin(contacts->context, &pairs, &walls);
-    do {
-        count = contacts->next(contacts->context, some, AT_A_TIME);
-        for (size_t k = 0; k < count; k++) {
-            add_contact(self, contacts, &some[k]);
-        }
-    } while (count == AT_A_TIME);
+    const clod_contact *contact;
+    clod_contact_walk walk;
+    clod_contact_walk_begin(&walk, contacts);
+    while ((contact = clod_contact_walk_next(&walk)) != NULL) {
+        add_contact(self, contacts, contact);
+    }
 }
 
 /** Sums of a grain or an image of it at `at`, for a kernel of 1/m3; numbers of grains times the

@@ -1,8 +1,7 @@
 #include "measure/resting.h"
 
 #include "base/memory.h"
-
-#define AT_A_TIME 256 // contacts
+#include "state/contact_walk.h"
 
 /** What is known of a grain. Ranks tell it of their grains to those that have them as ghosts: no
  *  gaps. */
@@ -69,24 +68,20 @@ static void touch_wall(search *self, const clod_contact *contact)
 static void read_contacts(search *self, size_t *next)
 {
     const clod_contact_source *contacts = self->here->contacts;
-    clod_contact some[AT_A_TIME];
-    size_t pairs, walls, count;
-    contacts->begin(contacts->context, &pairs, &walls);
-    do {
-        count = contacts->next(contacts->context, some, AT_A_TIME);
-        for (size_t k = 0; k < count; k++) {
-            const clod_contact *contact = &some[k];
-            if (contact->shape < 0 && self->partner == NULL) {
-                next[contact->i]++;
-                next[contact->j]++;
-            } else if (contact->shape < 0) {
-                self->partner[next[contact->i]++] = contact->j;
-                self->partner[next[contact->j]++] = contact->i;
-            } else if (self->partner != NULL && contacts->carrier != NULL) {
-                touch_wall(self, contact);
-            }
+    const clod_contact *contact;
+    clod_contact_walk walk;
+    clod_contact_walk_begin(&walk, contacts);
+    while ((contact = clod_contact_walk_next(&walk)) != NULL) {
+        if (contact->shape < 0 && self->partner == NULL) {
+            next[contact->i]++;
+            next[contact->j]++;
+        } else if (contact->shape < 0) {
+            self->partner[next[contact->i]++] = contact->j;
+            self->partner[next[contact->j]++] = contact->i;
+        } else if (self->partner != NULL && contacts->carrier != NULL) {
+            touch_wall(self, contact);
         }
-    } while (count == AT_A_TIME);
+    }
 }
 
 /** Partners of all grains, and those that rest on walls themselves; false without memory. */

@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "state/contact_walk.h"
 
-#define AT_A_TIME 256 // contacts
 #define SMALL_BITS 40
 
 int64_t clod_strength_grid_cells(const clod_strength_grid *self)
@@ -99,20 +99,17 @@ static bool add(const clod_survey_question *question, const clod_survey_part *he
     const clod_strength_grid *self = question->asked;
     clod_strength_cell *cells = question->sums;
     const clod_contact_source *contacts = here->contacts;
-    clod_contact some[AT_A_TIME];
-    size_t pairs, walls, count;
-    contacts->begin(contacts->context, &pairs, &walls);
-    do {
-        count = contacts->next(contacts->context, some, AT_A_TIME);
-        for (size_t k = 0; k < count && some[k].shape < 0; k++) {
-            const int64_t cell = clod_survey_has(here, (size_t)some[k].i)
-                                     ? cell_of(self, here->state, &some[k])
-                                     : -1;
-            if (cell >= 0) {
-                add_contact(&cells[cell], contacts->strength(contacts->laws, &some[k]));
-            }
+    const clod_contact *contact;
+    clod_contact_walk walk;
+    clod_contact_walk_begin(&walk, contacts);
+    while ((contact = clod_contact_walk_next(&walk)) != NULL && contact->shape < 0) {
+        const int64_t cell = clod_survey_has(here, (size_t)contact->i)
+                                 ? cell_of(self, here->state, contact)
+                                 : -1;
+        if (cell >= 0) {
+            add_contact(&cells[cell], contacts->strength(contacts->laws, contact));
         }
-    } while (count == AT_A_TIME && some[AT_A_TIME - 1].shape < 0);
+    }
     return true;
 }
 

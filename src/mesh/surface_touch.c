@@ -125,12 +125,12 @@ static void sort_last(clod_surface_hit *hits, int32_t last)
     hits[at] = hit;
 }
 
-int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod_vec3 p,
-                           double radius, clod_surface_hit *hits)
+int32_t clod_surface_touch(const clod_surface_facet *facets, const uint32_t *near,
+                           int32_t count, clod_vec3 p, double radius, clod_surface_hit *hits)
 {
     int32_t found = 0;
     for (int32_t k = 0; k < count; k++) {
-        const clod_surface_facet *facet = &facets[k];
+        const clod_surface_facet *facet = &facets[near[k]];
         if (clod_surface_facet_is_beyond(facet->surface, facet, p, radius)) {
             continue;
         }

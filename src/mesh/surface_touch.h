@@ -42,14 +42,15 @@ typedef struct clod_surface_hit {
 /**
  * Find the contacts of a grain with the surfaces of one wall.
  *
- * @param facets  [count] near ones, of which those that overlap are looked at
+ * @param facets  a table
+ * @param near    [count] places in it of near ones, of which those that overlap are looked at
  * @param p       centre, in the surfaces' frame [m]
  * @param hits    [count] [out] facets that overlap, from the nearest on
  * @return        how many those are
  * Errors  none.   Threads  pure.   Test  tests/mesh/test_surface_touch.c
  */
-int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod_vec3 p,
-                           double radius, clod_surface_hit *hits);
+int32_t clod_surface_touch(const clod_surface_facet *facets, const uint32_t *near,
+                           int32_t count, clod_vec3 p, double radius, clod_surface_hit *hits);
 
 /**
  * Closest point of a patch.

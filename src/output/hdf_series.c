@@ -11,13 +11,12 @@
 
 #define DAMAGED "was changed, or is damaged: its checksum is another one"
 
-/** Whether an index has the entries that clod writes. */
-static bool is_index(const json_t *entries)
+bool clod_hdf_series_is_list(const json_t *files)
 {
-    bool good = json_is_array(entries);
+    bool good = json_is_array(files);
     size_t e;
     json_t *entry;
-    json_array_foreach(entries, e, entry)
+    json_array_foreach(files, e, entry)
     {
         const char *name = json_string_value(json_object_get(entry, "name"));
         good = good && name != NULL && strchr(name, '/') == NULL &&
@@ -54,7 +53,7 @@ static json_t *load_entries(const clod_folder *folder, const char *index, uint64
     clod_memory_free(text);
     json_t *entries = json_incref(json_object_get(root, "files"));
     json_decref(root);
-    if (is_index(entries)) {
+    if (clod_hdf_series_is_list(entries)) {
         return entries;
     }
     json_decref(entries);

@@ -4,6 +4,7 @@
  * The `.hdf.series` index with which ParaView opens many files as one film.
  */
 
+#include <jansson.h>
 #include <stdint.h>
 
 #include "output/folder.h"
@@ -18,6 +19,9 @@
  */
 bool clod_hdf_series_add(const clod_folder *folder, const char *index, const char *name,
                          double time, uint64_t *sum, clod_status *status);
+
+/** Whether the files of an index are what clod writes: names without folders, and times. */
+bool clod_hdf_series_is_list(const json_t *files);
 
 /** Drop the entries later than `time`, and the files they name; no index is fine. */
 bool clod_hdf_series_cut(const clod_folder *folder, const char *index, double time,

@@ -10,6 +10,7 @@
 
 #include "base/memory.h"
 #include "output/file.h"
+#include "output/hdf_series.h"
 
 #define ENDING ".hdf.series"
 
@@ -133,16 +134,7 @@ static json_t *load_series(const char *folder, const char *name, clod_status *st
     json_t *root = json_load_file(path, 0, &error);
     json_t *files = json_incref(json_object_get(root, "files"));
     json_decref(root);
-    bool good = json_is_array(files);
-    size_t k;
-    json_t *entry;
-    json_array_foreach(files, k, entry)
-    {
-        const char *file = json_string_value(json_object_get(entry, "name"));
-        good = good && file != NULL && strchr(file, '/') == NULL &&
-               json_is_number(json_object_get(entry, "time"));
-    }
-    if (!good) {
+    if (!clod_hdf_series_is_list(files)) {
         clod_status_fail(status, CLOD_USAGE,
                          "%s is damaged: it is not the list of snapshots that clod writes.",
                          path);

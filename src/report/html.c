@@ -1,27 +1,10 @@
 #include "report/html.h"
 
+#include "base/xml.h"
+
 void clod_html_text(FILE *out, const char *text)
 {
-    for (const char *at = text != NULL ? text : "-"; *at != '\0'; at++) {
-        switch (*at) {
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            if ((unsigned char)*at >= ' ' || *at == '\t' || *at == '\n') {
-                fputc(*at, out); // XML has no other control characters, not even escaped
-            }
-        }
-    }
+    clod_xml_text(out, text != NULL ? text : "-");
 }
 
 void clod_html_cell(FILE *out, const char *tag, const char *text)

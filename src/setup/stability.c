@@ -10,11 +10,11 @@
 #include "law/law_forms.h"
 #include "law/law_kinds.h"
 #include "law/law_springs.h"
+#include "state/contact_walk.h"
 
-#define FREEDOMS 6  ///< of a grain: it moves and turns
-#define AT_ONCE 256 ///< contacts
-#define STEPS 12    ///< most tries for the largest step
-#define CLOSE 1e-5  ///< of the eigenvalue
+#define FREEDOMS 6 ///< of a grain: it moves and turns
+#define STEPS 12   ///< most tries for the largest step
+#define CLOSE 1e-5 ///< of the eigenvalue
 
 /** Stiffness and dash-pot in one direction of a contact. */
 typedef struct spring {
@@ -197,20 +197,17 @@ static void add_contact(bed *self, const clod_state *state, const clod_wall_rows
 static bool read_contacts(bed *self, const clod_state *state,
                           const clod_contact_source *contacts, const clod_laws *laws)
 {
-    size_t pairs, walls;
-    contacts->begin(contacts->context, &pairs, &walls);
-    self->room = pairs + walls;
+    clod_contact_walk walk;
+    clod_contact_walk_begin(&walk, contacts);
+    self->room = walk.pairs + walk.walls;
     self->bonds = clod_memory_alloc(self->room + 1, sizeof *self->bonds);
     clod_wall_rows rows;
     const bool good = self->bonds != NULL && clod_wall_rows_init(&rows, &state->walls);
-    clod_contact some[AT_ONCE];
-    for (size_t got = AT_ONCE; good && got == AT_ONCE;) {
-        got = contacts->next(contacts->context, some, AT_ONCE);
-        for (size_t c = 0; c < got; c++) {
-            add_contact(self, state, &rows, laws, &some[c]);
-        }
-    }
     if (good) {
+        const clod_contact *contact;
+        while ((contact = clod_contact_walk_next(&walk)) != NULL) {
+            add_contact(self, state, &rows, laws, contact);
+        }
         clod_wall_rows_fini(&rows);
     }
     return good;

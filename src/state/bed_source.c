@@ -1,29 +1,24 @@
 #include "state/bed_source.h"
 
 #include "base/memory.h"
-
-#define AT_A_TIME 256 // contacts
+#include "state/contact_walk.h"
 
 /** Contacts of each grain with grains and walls; false without memory. */
 static bool count_each(clod_bed_view *self)
 {
-    const clod_contact_source *from = &self->contacts;
-    clod_contact some[AT_A_TIME];
-    size_t pairs, walls, count;
+    const clod_contact *contact;
+    clod_contact_walk walk;
     self->each = clod_memory_alloc(self->state->grains.count + 1, sizeof *self->each);
     if (self->each == NULL) {
         return false;
     }
-    from->begin(from->context, &pairs, &walls);
-    do {
-        count = from->next(from->context, some, AT_A_TIME);
-        for (size_t k = 0; k < count; k++) {
-            self->each[some[k].i]++;
-            if (some[k].shape < 0) {
-                self->each[some[k].j]++;
-            }
+    clod_contact_walk_begin(&walk, &self->contacts);
+    while ((contact = clod_contact_walk_next(&walk)) != NULL) {
+        self->each[contact->i]++;
+        if (contact->shape < 0) {
+            self->each[contact->j]++;
         }
-    } while (count == AT_A_TIME);
+    }
     return true;
 }
 

@@ -1,5 +1,7 @@
 #include "state/contacts.h"
 
+#include "base/lower_bound.h"
+
 // Source: docs/theory (mepa, tangential, rolling)
 const clod_history_field CLOD_HISTORY[CLOD_HISTORY_FIELDS] = {
     // name, unit, first number, components, turns its sign with the order of the pair
@@ -37,13 +39,10 @@ void clod_contacts_ascend(clod_contact *contacts, size_t begin, size_t end)
 size_t clod_contacts_first_from(const clod_contact *contacts, size_t low, size_t high,
                                 size_t row)
 {
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if ((size_t)contacts[middle].i < row) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    clod_lower_bound in = {low, high};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
+        clod_lower_bound_halve(&in, (size_t)contacts[middle].i < row);
     }
-    return low;
+    return in.low;
 }

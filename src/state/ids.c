@@ -1,5 +1,6 @@
 #include "state/ids.h"
 
+#include "base/lower_bound.h"
 #include "base/memory.h"
 
 bool clod_ids_init(clod_ids *self, const uint64_t *id, size_t count, clod_status *status)
@@ -23,16 +24,13 @@ bool clod_ids_init(clod_ids *self, const uint64_t *id, size_t count, clod_status
 
 int64_t clod_ids_row(const clod_ids *self, uint64_t id)
 {
-    size_t low = 0, high = self->count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (self->item[middle].key < id) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    clod_lower_bound in = {0, self->count};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
+        clod_lower_bound_halve(&in, self->item[middle].key < id);
     }
-    return low < self->count && self->item[low].key == id ? (int64_t)self->item[low].index : -1;
+    const clod_sort_item *item = &self->item[in.low];
+    return in.low < self->count && item->key == id ? (int64_t)item->index : -1;
 }
 
 bool clod_ids_are_different(const clod_ids *self)

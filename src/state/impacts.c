@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/lower_bound.h"
+
 /** J: 1, 2, 5 of each decade, as decimal constants so that they are the same everywhere. */
 static const double BOUND[CLOD_IMPACT_BOUNDS] = {
     1e-12, 2e-12, 5e-12, 1e-11, 2e-11, 5e-11, 1e-10, 2e-10, 5e-10, 1e-9, 2e-9, 5e-9, 1e-8, 2e-8,
@@ -26,16 +28,12 @@ static int angle_class(double angle)
 
 static int energy_class(double energy)
 {
-    int low = 0, high = CLOD_IMPACT_BOUNDS; // bounds [0, low) are not above, [high, ...) are
-    while (low < high) {
-        const int middle = (low + high) / 2;
-        if (BOUND[middle] <= energy) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    clod_lower_bound in = {0, CLOD_IMPACT_BOUNDS};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
+        clod_lower_bound_halve(&in, BOUND[middle] <= energy);
     }
-    return low;
+    return (int)in.low;
 }
 
 static void add_class(clod_impact_class *self, const clod_impact_class *of)

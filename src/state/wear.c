@@ -133,12 +133,3 @@ double clod_wear_area(const clod_wall *wall, int32_t shape, int32_t place)
     }
     return row->area != NULL ? row->area(self) : 0.0;
 }
-
-double clod_wear_finnie(double normal, double along)
-{
-    const double square = normal * normal + along * along;
-    if (3.0 * normal < along) {
-        return (2.0 * normal * along - 3.0 * normal * normal) / square;
-    }
-    return along * along / (3.0 * square);
-}

@@ -12,18 +12,21 @@
 #include "state/impacts.h"
 #include "state/walls.h"
 
-/** Columns of the sums of a place. */
+/** Columns of the sums of a place: what each contact adds in every step, then what an impact does. */
 enum {
     CLOD_WEAR_IMPULSE = 0, ///< x, y, z: of the grains' force on it [N s]
     CLOD_WEAR_PRESS = 3,   ///< of that force into the surface [N s]; below 0 grains pull
     CLOD_WEAR_SHEAR = 4,   ///< of friction force times sliding speed [J]
     CLOD_WEAR_SQUEEZE = 5, ///< of normal force times approach speed, while they approach [J]
-    CLOD_WEAR_IMPACTS = 6, ///< number of impacts
-    CLOD_WEAR_ENERGY = 7,  ///< of the energy of the grains' approach, m v_n^2/2, at impact [J]
-    CLOD_WEAR_ANGLE = 8,   ///< of that energy times the angle of impact [J rad]
-    CLOD_WEAR_SLIDING = 9, ///< of pressing force times sliding speed [J]: Archard
-    CLOD_WEAR_CUTTING = 10 ///< of force times speed times f(angle), twice [J]: Finnie
+    CLOD_WEAR_SLIDING = 6, ///< of pressing force times sliding speed [J]: Archard
+    CLOD_WEAR_CUTTING = 7, ///< of force times speed times f(angle), twice [J]: Finnie
+    CLOD_WEAR_IMPACTS = 8, ///< number of impacts
+    CLOD_WEAR_ENERGY = 9,  ///< of the energy of the grains' approach, m v_n^2/2, at impact [J]
+    CLOD_WEAR_ANGLE = 10   ///< of that energy times the angle of impact [J rad]
 };
+
+/** Columns that each contact adds to in every step: the first ones. */
+#define CLOD_WEAR_STEP_SUMS 8
 
 /** Begin the sums of a wall, at zero. Errors  false without memory. */
 bool clod_wear_begin(clod_wall *wall);
@@ -65,12 +68,3 @@ void clod_wear_name(const clod_wall *wall, int32_t face, char *text, size_t size
 
 /** Area of a place of a shape [m2]; 0 for shapes without a bound. */
 double clod_wear_area(const clod_wall *wall, int32_t shape, int32_t place);
-
-/**
- * Finnie's function of the angle between velocity and surface: sin 2g - 3 sin2 g where tan g <
- * 1/3, else cos2 g/3.
- *
- * @param normal, along  speeds into and along the surface [m/s], >= 0, not both 0
- * Source  Finnie 1960, doi:10.1016/0043-1648(60)90055-7.   Test  tests/step/test_wear.c
- */
-double clod_wear_finnie(double normal, double along);

@@ -2,6 +2,7 @@
 // a slab ends, and rank 0 sorts the keys in it.
 #include <string.h>
 
+#include "base/lower_bound.h"
 #include "base/memory.h"
 #include "base/room.h"
 #include "base/sort.h"
@@ -43,16 +44,12 @@ static void take_least(const void *context, void *into, const void *from)
 
 size_t clod_crew_below(const uint64_t *number, size_t count, uint64_t limit)
 {
-    size_t low = 0, high = count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (number[middle] < limit) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    clod_lower_bound in = {0, count};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
+        clod_lower_bound_halve(&in, number[middle] < limit);
     }
-    return low;
+    return in.low;
 }
 
 /** Own rows from `at` on with a smaller key. */

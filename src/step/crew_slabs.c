@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/lower_bound.h"
 #include "base/memory.h"
 #include "parallel/ranks_collect.h"
 #include "step/crew_part.h"
@@ -43,16 +44,12 @@ static bool list_own(clod_crew *self, bool each)
 /** Place of a row among the own ones; own: there is none. */
 static size_t place_of(const clod_crew_slabs *self, int32_t row)
 {
-    size_t low = 0, high = self->own;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (self->row[middle] < row) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    clod_lower_bound in = {0, self->own};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
+        clod_lower_bound_halve(&in, self->row[middle] < row);
     }
-    return low < self->own && self->row[low] == row ? low : self->own;
+    return in.low < self->own && self->row[in.low] == row ? in.low : self->own;
 }
 
 static void note_each(clod_crew_slabs *self, int32_t row)
@@ -67,22 +64,17 @@ static void note_each(clod_crew_slabs *self, int32_t row)
 static void count_contacts(clod_crew *self, clod_bed_counts *all)
 {
     clod_crew_slabs *slabs = &self->slabs;
-    const clod_contact_source *from = &slabs->contacts;
-    size_t pairs, walls, count;
-    from->begin(from->context, &pairs, &walls);
-    do {
-        count = from->next(from->context, slabs->some, CLOD_CREW_SLABS_SOME);
-        for (size_t k = 0; k < count; k++) {
-            const clod_contact *contact = &slabs->some[k];
-            const bool own = clod_spread_owns(&self->spread, contact->i);
-            all->pairs += own && contact->shape < 0;
-            all->walls += own && contact->shape >= 0;
-            note_each(slabs, contact->i);
-            if (contact->shape < 0) {
-                note_each(slabs, contact->j);
-            }
+    const clod_contact *contact;
+    clod_contact_walk_begin(&slabs->walk, &slabs->contacts);
+    while ((contact = clod_contact_walk_next(&slabs->walk)) != NULL) {
+        const bool own = clod_spread_owns(&self->spread, contact->i);
+        all->pairs += own && contact->shape < 0;
+        all->walls += own && contact->shape >= 0;
+        note_each(slabs, contact->i);
+        if (contact->shape < 0) {
+            note_each(slabs, contact->j);
         }
-    } while (count == CLOD_CREW_SLABS_SOME);
+    }
 }
 
 static void add_counts(const void *context, void *into, const void *from)
@@ -110,12 +102,12 @@ bool clod_crew_slabs_begin(clod_crew *self, bool each, clod_bed_counts *all,
     if (!clod_ranks_agree(self->ranks, good, status) || !clod_crew_number(self, status)) {
         return false;
     }
-    size_t pairs, walls;
     slabs->contacts = clod_step_contacts(&self->step, &slabs->reader);
     slabs->all = (clod_bed_counts){.grains = slabs->own};
     count_contacts(self, &slabs->all);
     clod_ranks_merge(self->ranks, &slabs->all, sizeof slabs->all, add_counts, NULL);
-    slabs->contacts.begin(slabs->contacts.context, &pairs, &walls);
+    clod_contact_walk_begin(&slabs->walk, &slabs->contacts);
+    slabs->due = clod_contact_walk_next(&slabs->walk);
     *all = slabs->all;
     return true;
 }
@@ -136,17 +128,6 @@ static void pack_grains(clod_crew *self, const clod_crew_range *range)
     }
 }
 
-/** The next contact, which stays where it is; NULL: at the end. */
-static const clod_contact *next_contact(clod_crew_slabs *self)
-{
-    if (self->some_at == self->some_count) {
-        self->some_at = 0;
-        self->some_count =
-            self->contacts.next(self->contacts.context, self->some, CLOD_CREW_SLABS_SOME);
-    }
-    return self->some_count > 0 ? &self->some[self->some_at] : NULL;
-}
-
 /** Number of the first grain, and the contact, of those that come next. */
 static void pack_contacts(clod_crew *self, const clod_crew_range *range)
 {
@@ -155,17 +136,16 @@ static void pack_contacts(clod_crew *self, const clod_crew_range *range)
     if (range->first == 0) {
         slabs->at = 0; // wall contacts begin with the first grain again
     }
-    for (const clod_contact *next = next_contact(slabs);
-         next != NULL && (next->shape >= 0) == walls; next = next_contact(slabs)) {
-        if (find_own(slabs, next->i)) {
+    while (slabs->due != NULL && (slabs->due->shape >= 0) == walls) {
+        if (find_own(slabs, slabs->due->i)) {
             const uint64_t number = slabs->number[slabs->at];
             if (number >= range->first + range->count) {
                 break;
             }
             clod_bytes_put(&slabs->out, &number, sizeof number);
-            clod_records_put_contact(&slabs->out, &self->state.grains, next);
+            clod_records_put_contact(&slabs->out, &self->state.grains, slabs->due);
         }
-        slabs->some_at++;
+        slabs->due = clod_contact_walk_next(&slabs->walk);
     }
 }
 

@@ -10,12 +10,10 @@
 
 #include "base/bytes.h"
 #include "state/bed_source.h"
+#include "state/contact_walk.h"
 #include "step/step.h"
 
 typedef struct clod_crew clod_crew;
-
-/** Contacts that are read at a time. */
-#define CLOD_CREW_SLABS_SOME 64
 
 /** What of the bed is asked for. */
 typedef struct clod_crew_range {
@@ -32,9 +30,9 @@ typedef struct clod_crew_slabs {
     // contacts on their way out
     clod_step_reader reader;
     clod_contact_source contacts;
-    clod_contact some[CLOD_CREW_SLABS_SOME];
-    size_t some_at, some_count;
-    size_t at; ///< place in `row` of the last one's grain
+    clod_contact_walk walk;
+    const clod_contact *due; ///< the next one; NULL: none is left
+    size_t at;               ///< place in `row` of the last one's grain
     clod_bytes out, in;
     size_t *begin; ///< [ranks + 1]
     // of rank 0

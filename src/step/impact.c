@@ -1,5 +1,7 @@
 #include "step/impact.h"
 
+#include "base/lower_bound.h"
+
 static int32_t grain_of(const clod_near_blocks *walls, size_t group, size_t number)
 {
     const clod_wall_block *block =
@@ -15,16 +17,12 @@ static const clod_rub_block *rub_of(const clod_near_blocks *walls, size_t group,
 /** First contact of a group with a grain, or with one behind it. */
 static size_t first_of(const clod_near_blocks *walls, size_t group, int32_t grain)
 {
-    size_t low = 0, high = walls->group_count[group];
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (grain_of(walls, group, middle) < grain) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    clod_lower_bound in = {0, walls->group_count[group]};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
+        clod_lower_bound_halve(&in, grain_of(walls, group, middle) < grain);
     }
-    return low;
+    return in.low;
 }
 
 static bool is_one_way(const clod_rub_block *a, size_t i, const clod_rub_block *b, size_t j)

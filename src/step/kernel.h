@@ -43,13 +43,10 @@ typedef struct clod_dissipation_block {
     double lag[CLOD_LANES]; ///< work beyond that, either sign (docs/theory/energy.md)
 } clod_dissipation_block;
 
-/** How the grains of a block rub and hit the surfaces of walls, and with what force. */
+/** How the grains of a block rub and hit the surfaces of walls. */
 typedef struct clod_rub_block {
-    double force[3][CLOD_LANES];  ///< on the wall [N]
+    double did[CLOD_LANES][8];    ///< each contact in this step: its addends (state/wear.h)
     double normal[3][CLOD_LANES]; ///< of the contact, unit
-    double press[CLOD_LANES];     ///< of the force into the surface [N]
-    double friction[CLOD_LANES];  ///< power of the friction force, >= 0 [W]
-    double slip[CLOD_LANES];      ///< sliding speed at the contact [m/s]
     double approach[CLOD_LANES];  ///< speed of the centre towards the surface [m/s]
     double speed2[CLOD_LANES]; ///< squared velocity of the centre against the material [m2/s2]
     double mass[CLOD_LANES];   ///< of the grain [kg]

@@ -60,7 +60,20 @@ static inline void kernel_store_dissipated(clod_dissipation_block *dissipated, i
     vreal_store(&dissipated->lag[lane], s.lag);
 }
 
-/** What a block of grain-grain contacts dissipates in this step, before its history moves on. */
+/** What contacts dissipate between two states of motion, before their history moves on. */
+static inline void kernel_dissipate(const clod_law *law, const clod_law_motion *before,
+                                    const clod_law_motion *now, double dt,
+                                    clod_history *history, clod_dissipation_block *dissipated,
+                                    int lane)
+{
+    const clod_law_memory memory = clod_law_memory_load(history, lane);
+    clod_law_memory after = memory;
+    const clod_law_result result = clod_law_contact(law, now, dt, &after);
+    kernel_store_dissipated(dissipated, lane,
+                            clod_law_dissipate(law, now, &result, &after, before, &memory, dt));
+}
+
+/** What a block of grain-grain contacts dissipates in this step. */
 static void kernel_contact_dissipate(const clod_kernel_view *view, const clod_law *law,
                                      clod_contact_block *block,
                                      clod_dissipation_block *dissipated)
@@ -75,12 +88,7 @@ static void kernel_contact_dissipate(const clod_kernel_view *view, const clod_la
         before.velocity = vreal3_sub(a.velocity, b.velocity);
         before.spin_i = a.spin;
         before.spin_j = b.spin;
-        const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
-        clod_law_memory after = memory;
-        const clod_law_result result = clod_law_contact(law, &now, view->dt, &after);
-        kernel_store_dissipated(
-            dissipated, lane,
-            clod_law_dissipate(law, &now, &result, &after, &before, &memory, view->dt));
+        kernel_dissipate(law, &before, &now, view->dt, &block->history, dissipated, lane);
     }
 }
 
@@ -97,12 +105,7 @@ static void kernel_wall_dissipate(const clod_kernel_view *view, const clod_law *
         clod_law_motion before = kernel_wall_before(&now, view->dt);
         before.velocity = vreal3_sub(a.velocity, meeting.velocity);
         before.spin_i = a.spin;
-        const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
-        clod_law_memory after = memory;
-        const clod_law_result result = clod_law_contact(law, &now, view->dt, &after);
-        kernel_store_dissipated(
-            dissipated, lane,
-            clod_law_dissipate(law, &now, &result, &after, &before, &memory, view->dt));
+        kernel_dissipate(law, &before, &now, view->dt, &block->history, dissipated, lane);
     }
 }
 

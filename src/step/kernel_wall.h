@@ -173,7 +173,7 @@ CLOD_LAW_PASS vreal kernel_wall_limit(const clod_kernel_view *view, const clod_l
                           kernel_block(batch, KERNEL_WALLS, k), kernel_lane(k),
                           kernel_lanes(batch, k));
         if (rub != NULL) {
-            kernel_rub_store(&rub[k * CLOD_WIDTH / CLOD_LANES], kernel_lane(k), touch,
+            kernel_rub_store(&rub[k * CLOD_WIDTH / CLOD_LANES], kernel_lane(k), view->dt, touch,
                              &side[k].rub, &result);
         }
         const vreal beyond = touch->overlap - view->overlap_limit * touch->r_star;

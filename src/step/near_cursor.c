@@ -1,5 +1,6 @@
 #include "step/near_cursor.h"
 
+#include "base/lower_bound.h"
 #include "base/memory.h"
 #include "step/near_parts.h"
 #include "step/near_walk.h"
@@ -163,23 +164,19 @@ static const clod_history *find_in(const clod_near_blocks *list, clod_near_forma
         return NULL;
     }
     const char *blocks = (const char *)list->block + list->group_start[group] * format.size;
-    size_t low = 0, high = list->group_count[group];
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
+    clod_lower_bound in = {0, list->group_count[group]};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
         const char *block = blocks + middle / CLOD_LANES * format.size;
-        if (key_of(block, format, middle % CLOD_LANES) < key) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+        clod_lower_bound_halve(&in, key_of(block, format, middle % CLOD_LANES) < key);
     }
-    if (low == list->group_count[group]) {
+    if (in.low == list->group_count[group]) {
         return NULL;
     }
-    const char *block = blocks + low / CLOD_LANES * format.size;
-    *lane = (int)(low % CLOD_LANES);
+    const char *block = blocks + in.low / CLOD_LANES * format.size;
+    *lane = (int)(in.low % CLOD_LANES);
     const clod_history *history = history_of(block, format);
-    const bool there = key_of(block, format, low % CLOD_LANES) == key;
+    const bool there = key_of(block, format, in.low % CLOD_LANES) == key;
     return there && clod_history_is_there(history, *lane) ? history : NULL;
 }
 

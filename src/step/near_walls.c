@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/lower_bound.h"
 #include "base/room.h"
 #include "step/near_known.h"
 #include "step/near_parts.h"
@@ -22,16 +23,12 @@ static size_t group_of(const clod_near_job *job, int part, const clod_wall_candi
 /** The first of the candidates, which ascend by grain, whose grain is not before a row. */
 static size_t first_from(const clod_wall_candidates *candidates, size_t row)
 {
-    size_t low = 0, high = candidates->count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if ((size_t)candidates->item[middle].i < row) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    clod_lower_bound in = {0, candidates->count};
+    while (in.low < in.high) {
+        const size_t middle = clod_lower_bound_middle(&in);
+        clod_lower_bound_halve(&in, (size_t)candidates->item[middle].i < row);
     }
-    return low;
+    return in.low;
 }
 
 /** A part's numbers of its sums, by wall; until the layout numbers of its contacts. */

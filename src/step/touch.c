@@ -11,8 +11,27 @@
 
 void clod_touch_begin(clod_touch_part *self)
 {
-    self->sites = self->lanes = self->facets = self->placed = 0;
+    self->sites = self->lanes = self->nears = self->placed = 0;
+    clod_touch_facets_begin(&self->table);
     self->lacks_memory = false;
+}
+
+/** One more facet near the last site, to its place by number among those from `first` on. */
+static bool add_facet(clod_touch_part *part, size_t first, const clod_surface *surface,
+                      uint32_t number)
+{
+    uint32_t taken;
+    if (!clod_room_for_one(&part->near, &part->near_room, part->nears, sizeof *part->near) ||
+        !clod_touch_facets_take(&part->table, surface, number, &taken)) {
+        return false;
+    }
+    const clod_surface_facet *facet = part->table.facet;
+    size_t at = part->nears++;
+    for (; at > first && facet[part->near[at - 1]].number > number; at--) {
+        part->near[at] = part->near[at - 1];
+    }
+    part->near[at] = taken;
+    return true;
 }
 
 /** The facets of a candidate that are near, behind those of its site. */
@@ -20,16 +39,10 @@ static void add_facets(const clod_near_job *job, clod_touch_part *part,
                        const clod_wall_candidate *candidate, const clod_surface *surface)
 {
     const clod_wall_facet *facet = job->neighbour->walls.facet + candidate->facet;
+    const size_t first = part->nears;
     for (int32_t k = 0; k < candidate->facets && !part->lacks_memory; k++) {
-        if (facet[k].near == 0) {
-            continue;
-        }
-        if (!clod_room_for_one(&part->facet, &part->facet_room, part->facets,
-                               sizeof *part->facet)) {
-            part->lacks_memory = true;
-            return;
-        }
-        part->facet[part->facets++] = clod_surface_facet_of(surface, facet[k].number);
+        part->lacks_memory =
+            facet[k].near != 0 && !add_facet(part, first, surface, facet[k].number);
     }
 }
 
@@ -47,19 +60,24 @@ static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *pa
                               .wall = candidate->wall,
                               .pose = row,
                               .lane = part->lanes,
-                              .facet = part->facets};
+                              .near = part->nears};
     return site;
 }
 
 /** All facets of a site lie in one plane and no rim is near: the plane, or -1. */
 static int32_t plane_of(const clod_touch_part *part, const clod_touch_site *site)
 {
-    const clod_surface_facet *facet = part->facet + site->facet;
-    bool flat = site->lanes == 1 && site->facets > 0 && facet[0].cylinder == 0;
-    for (size_t k = 1; flat && k < site->facets; k++) {
-        flat = facet[k].plane == facet[0].plane && facet[k].surface == facet[0].surface;
+    if (site->lanes != 1 || site->facets == 0) {
+        return -1;
     }
-    return flat ? (int32_t)facet[0].plane : -1;
+    const clod_surface_facet *facet = part->table.facet;
+    const clod_surface_facet *first = &facet[part->near[site->near]];
+    bool flat = first->cylinder == 0;
+    for (size_t k = 1; flat && k < site->facets; k++) {
+        const clod_surface_facet *other = &facet[part->near[site->near + k]];
+        flat = other->plane == first->plane && other->surface == first->surface;
+    }
+    return flat ? (int32_t)first->plane : -1;
 }
 
 void clod_touch_add(const clod_near_job *job, int number, const clod_wall_candidate *candidate)
@@ -84,7 +102,7 @@ void clod_touch_add(const clod_near_job *job, int number, const clod_wall_candid
     site->lanes = part->lanes - site->lane;
     if (at->slot == 0) {
         add_facets(job, part, candidate, at->surface);
-        site->facets = part->facets - site->facet;
+        site->facets = part->nears - site->near;
     }
     if (part->lacks_memory ||
         !clod_room_for(&part->hit, &part->hit_room, site->facets, sizeof *part->hit)) {
@@ -236,8 +254,8 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
                           const lanes *at)
 {
     clod_surface_hit *hits = part->hit;
-    const int32_t count = clod_surface_touch(part->facet + site->facet, (int32_t)site->facets,
-                                             from, radius, hits);
+    const int32_t count = clod_surface_touch(part->table.facet, part->near + site->near,
+                                             (int32_t)site->facets, from, radius, hits);
     for (size_t l = 0; l < at->count; l++) {
         put_open(at->row[l], radius);
     }
@@ -257,41 +275,29 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
     }
 }
 
-/** The first facet of a plane's that holds a point of it; -1: none does. */
-static int32_t holding_facet(const clod_surface_facet *facet, size_t count, clod_vec3 at)
+/** The facet nearest to a point, of those of a site, which lie in one plane: the first by number
+ *  that holds its foot, else the one with the nearest edge. */
+static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site *site,
+                             clod_vec3 from, clod_vec3 foot)
 {
-    uint32_t first = UINT32_MAX;
-    for (size_t k = 0; k < count; k++) {
-        if (facet[k].number < first && clod_surface_facet_holds(&facet[k], at)) {
-            first = facet[k].number;
+    const clod_surface_facet *facet = part->table.facet;
+    const uint32_t *near = part->near + site->near;
+    if (site->facets == 1) {
+        return (int32_t)facet[near[0]].number;
+    }
+    for (size_t k = 0; k < site->facets; k++) {
+        if (clod_surface_facet_holds(&facet[near[k]], foot)) {
+            return (int32_t)facet[near[k]].number;
         }
     }
-    return first == UINT32_MAX ? -1 : (int32_t)first;
-}
-
-/** The facet nearest to a point, of those of a site, which lie in one plane. */
-static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site *site,
-                             clod_vec3 from)
-{
-    const clod_surface_facet *facet = part->facet + site->facet;
-    if (site->facets == 1) {
-        return (int32_t)facet->number;
-    }
-    const double height = clod_surface_facet_height(facet, from);
-    const clod_vec3 foot = clod_vec3_axpy(from, -height, facet->normal);
-    const int32_t holding = holding_facet(facet, site->facets, foot);
-    if (holding >= 0) {
-        return holding;
-    }
     double least = INFINITY;
-    size_t nearest = 0;
+    uint32_t nearest = facet[near[0]].number;
     for (size_t k = 0; k < site->facets; k++) {
-        const double d = clod_surface_facet_closest(&facet[k], from).distance;
-        const bool first = facet[k].number < facet[nearest].number;
-        nearest = d < least || (d == least && first) ? k : nearest;
+        const double d = clod_surface_facet_closest(&facet[near[k]], from).distance;
+        nearest = d < least ? facet[near[k]].number : nearest;
         least = fmin(least, d);
     }
-    return (int32_t)facet[nearest].number;
+    return (int32_t)nearest;
 }
 
 /** The contact of a grain with nothing but a plane near it. */
@@ -299,12 +305,14 @@ static void find_plane(const clod_touch_part *part, const clod_touch_site *site,
                        const clod_wall_pose *pose, clod_vec3 from, double radius,
                        const lanes *at)
 {
-    const clod_surface_facet *facet = &part->facet[site->facet]; // all have the plane's normal
+    const clod_surface_facet *facet = // all have the plane's normal
+        &part->table.facet[part->near[site->near]];
     const double height = clod_surface_facet_height(facet, from);
     if (fabs(height) < radius) {
         put_row(at->row[0], pose, clod_surface_facet_side(facet, height), fabs(height));
         if (at->facet != NULL) {
-            at->facet[0] = nearest_facet(part, site, from);
+            const clod_vec3 foot = clod_vec3_axpy(from, -height, facet->normal);
+            at->facet[0] = nearest_facet(part, site, from, foot);
         }
         return;
     }
@@ -346,7 +354,8 @@ void clod_touch_fini(clod_touch *self, int parts)
     for (int p = 0; self->part != NULL && p < parts; p++) {
         clod_memory_free(self->part[p].site);
         clod_memory_free(self->part[p].lane);
-        clod_memory_free(self->part[p].facet);
+        clod_memory_free(self->part[p].near);
+        clod_touch_facets_fini(&self->part[p].table);
         clod_memory_free(self->part[p].hit);
     }
     clod_memory_free(self->part);

@@ -5,15 +5,16 @@
  */
 
 #include "mesh/surface_touch.h"
+#include "step/touch_facets.h"
 
 /** A grain near the meshes of a wall. */
 typedef struct clod_touch_site {
     int32_t i; ///< row of the grain
     int32_t wall;
-    int32_t pose;         ///< first row of one of the wall's shapes, with its pose
-    int32_t plane;        ///< all there is near it; -1: the facets say more
-    size_t lane, lanes;   ///< contacts that there can be, in the part's list
-    size_t facet, facets; ///< near ones, in the part's list
+    int32_t pose;        ///< first row of one of the wall's shapes, with its pose
+    int32_t plane;       ///< all there is near it; -1: the facets say more
+    size_t lane, lanes;  ///< contacts that there can be, in the part's list
+    size_t near, facets; ///< facets near it, in the part's list
 } clod_touch_site;
 
 /** A contact that there can be: one with a patch of a mesh, in a slot. */
@@ -28,10 +29,11 @@ typedef struct clod_touch_lane {
 typedef struct clod_touch_part {
     clod_touch_site *site;
     clod_touch_lane *lane;
-    clod_surface_facet *facet;
+    clod_touch_facets table;
+    uint32_t *near;        ///< [nears] places in the table, those of a patch by number
     clod_surface_hit *hit; ///< scratch, [hit_room]
-    size_t sites, lanes, facets;
-    size_t site_room, lane_room, facet_room, hit_room;
+    size_t sites, lanes, nears;
+    size_t site_room, lane_room, near_room, hit_room;
     size_t placed; ///< lanes that have their block
     size_t row;    ///< of the first lane
     bool lacks_memory;

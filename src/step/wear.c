@@ -3,8 +3,6 @@
 // and of ranks (spread_wear.c).
 #include "state/wear.h"
 
-#include <math.h>
-
 #include "parallel/threads.h"
 #include "step/impact.h"
 #include "step/spread_wear.h"
@@ -15,28 +13,11 @@ static bool is_mine(const clod_step *self, int32_t number, int thread)
     return self->threads == 1 || number % self->threads == thread;
 }
 
-static double length(double x, double y, double z)
-{
-    return sqrt(x * x + y * y + z * z);
-}
-
 /** What one contact did to its place in a step. */
-static void add(double sum[CLOD_WEAR_SUMS], const clod_rub_block *rub, int lane, double dt)
+static void add(double sum[CLOD_WEAR_SUMS], const double did[CLOD_WEAR_STEP_SUMS])
 {
-    const double press = rub->press[lane], slip = rub->slip[lane];
-    const double approach = rub->approach[lane];
-    for (int a = 0; a < 3; a++) {
-        sum[CLOD_WEAR_IMPULSE + a] += dt * rub->force[a][lane];
-    }
-    sum[CLOD_WEAR_PRESS] += dt * press;
-    sum[CLOD_WEAR_SHEAR] += dt * rub->friction[lane];
-    sum[CLOD_WEAR_SLIDING] += dt * fmax(press, 0.0) * slip;
-    if (approach > 0.0) {
-        const double force =
-            length(rub->force[0][lane], rub->force[1][lane], rub->force[2][lane]);
-        sum[CLOD_WEAR_SQUEEZE] += dt * fmax(press, 0.0) * approach;
-        sum[CLOD_WEAR_CUTTING] +=
-            2.0 * dt * force * length(approach, slip, 0.0) * clod_wear_finnie(approach, slip);
+    for (int c = 0; c < CLOD_WEAR_STEP_SUMS; c++) {
+        sum[c] += did[c];
     }
 }
 
@@ -78,7 +59,7 @@ static void note(clod_step *self, int part, size_t group, size_t number, clod_we
     record->wall = block->wall[lane];
     record->place = at.place;
     record->face = at.face;
-    add(record->sum, rub, lane, self->view.dt);
+    add(record->sum, rub->did[lane]);
     if (rub->closed[lane] > 1.5 && clod_impact_begins(&self->near, part, group, number)) {
         record->begins = 1;
         record->impact =
@@ -108,7 +89,7 @@ static void add_group(clod_step *self, int part, size_t group, clod_wall_form fo
         }
         const bool mine = is_mine(self, at.place, thread);
         if (mine) {
-            add(wall->wear[at.place], rub, lane, self->view.dt);
+            add(wall->wear[at.place], rub->did[lane]);
         }
         if (rub->closed[lane] > 1.5 && (mine || is_mine(self, at.face, thread)) &&
             clod_impact_begins(&self->near, part, group, c)) {

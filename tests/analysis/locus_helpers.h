@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/fields.h"
 #include "base/random.h"
 #include "clod/locus.h"
 
@@ -32,6 +33,32 @@ static inline void points_on_line(double c, double phi, double sigma_p, double t
 static inline double normal(uint64_t seed, uint64_t item, uint64_t draw)
 {
     return clod_random_normal(seed, CLOD_RANDOM_TEST, item, 2 * draw);
+}
+
+/** Means over trials of the fields that follow from points, of their squares, and of the squares
+ *  of their reported errors. */
+typedef struct trial_means {
+    double value[CLOD_FIELD_COUNT], square[CLOD_FIELD_COUNT], reported[CLOD_FIELD_COUNT];
+} trial_means;
+
+/** One of so many trials. */
+static inline void trial_means_add(trial_means *self, const clod_locus *locus, int trials)
+{
+    for (clod_field_index f = CLOD_FIELD_TAU_P; f < CLOD_FIELD_RHO_B; f++) {
+        const clod_locus_value value = clod_field_get(locus, f);
+        self->value[f] += value.value / trials;
+        self->square[f] += value.value * value.value / trials;
+        self->reported[f] += value.error * value.error / trials;
+    }
+}
+
+/** Root mean square of the reported error over the scatter between trials, field by field. */
+static inline void trial_means_ratios(const trial_means *self, double ratio[CLOD_FIELD_COUNT])
+{
+    for (clod_field_index f = CLOD_FIELD_TAU_P; f < CLOD_FIELD_RHO_B; f++) {
+        ratio[f] =
+            sqrt(self->reported[f] / (self->square[f] - self->value[f] * self->value[f]));
+    }
 }
 
 /** |a - b| <= relative * |b| */

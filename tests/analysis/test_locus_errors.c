@@ -2,8 +2,6 @@
 
 #include "locus_helpers.h"
 
-#include "analysis/fields.h"
-
 #define COUNT 5
 static const double STRESSES[COUNT] = {2e3, 3.5e3, 5e3, 6.5e3, 8e3};
 
@@ -36,22 +34,13 @@ static clod_locus noisy_test(uint64_t trial, const noise *with, size_t count)
 static void compare(const noise *with, size_t count, double ratio[CLOD_FIELD_COUNT])
 {
     enum { TRIALS = 4000 };
-    double sum[CLOD_FIELD_COUNT] = {0.0};
-    double squares[CLOD_FIELD_COUNT] = {0.0};
-    double reported[CLOD_FIELD_COUNT] = {0.0};
+    trial_means means = {.value = {0.0}};
     for (uint64_t k = 0; k < TRIALS; k++) {
         clod_locus locus = noisy_test(k, with, count);
-        for (clod_field_index f = CLOD_FIELD_TAU_P; f < CLOD_FIELD_RHO_B; f++) {
-            const clod_locus_value value = clod_field_get(&locus, f);
-            sum[f] += value.value / TRIALS;
-            squares[f] += value.value * value.value / TRIALS;
-            reported[f] += value.error * value.error / TRIALS;
-        }
+        trial_means_add(&means, &locus, TRIALS);
         clod_locus_fini(&locus);
     }
-    for (clod_field_index f = CLOD_FIELD_TAU_P; f < CLOD_FIELD_RHO_B; f++) {
-        ratio[f] = sqrt(reported[f] / (squares[f] - sum[f] * sum[f]));
-    }
+    trial_means_ratios(&means, ratio);
 }
 
 /** Every field's ratio lies between these. */

@@ -2,7 +2,6 @@
 
 #include "locus_helpers.h"
 
-#include "analysis/fields.h"
 #include "analysis/preshear.h"
 
 #define COUNT 5
@@ -46,22 +45,13 @@ static clod_locus noisy_test(uint64_t trial, size_t count, double step)
 /** Root mean square of the reported error over the scatter between trials, field by field. */
 static void compare(size_t count, double step, double ratio[CLOD_FIELD_COUNT])
 {
-    double sum[CLOD_FIELD_COUNT] = {0.0};
-    double squares[CLOD_FIELD_COUNT] = {0.0};
-    double reported[CLOD_FIELD_COUNT] = {0.0};
+    trial_means means = {.value = {0.0}};
     for (uint64_t k = 0; k < TRIALS; k++) {
         clod_locus locus = noisy_test(k, count, step);
-        for (clod_field_index f = CLOD_FIELD_TAU_P; f < CLOD_FIELD_RHO_B; f++) {
-            const clod_locus_value value = clod_field_get(&locus, f);
-            sum[f] += value.value / TRIALS;
-            squares[f] += value.value * value.value / TRIALS;
-            reported[f] += value.error * value.error / TRIALS;
-        }
+        trial_means_add(&means, &locus, TRIALS);
         clod_locus_fini(&locus);
     }
-    for (clod_field_index f = CLOD_FIELD_TAU_P; f < CLOD_FIELD_RHO_B; f++) {
-        ratio[f] = sqrt(reported[f] / (squares[f] - sum[f] * sum[f]));
-    }
+    trial_means_ratios(&means, ratio);
 }
 
 /** The ratio of a field is that of theory, within the tolerance. */

@@ -15,18 +15,9 @@
 
 #include "clod/case.h"
 #include "clod/schema.h"
+#include "support/case_of.h"
 
 #define EVERYTHING CLOD_SOURCE_DIR "/tests/config/good/everything.yaml"
-
-static clod_case *load(const char *path, const char *const *overrides, size_t count)
-{
-    static clod_status status;
-    clod_case *made = clod_case_load(path, overrides, count, &status);
-    if (made == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return made;
-}
 
 static void same(double value, double expected)
 {
@@ -47,7 +38,7 @@ static void same3(const double value[3], double x, double y, double z)
 static void materials_and_domain_are_read(void **state)
 {
     (void)state;
-    clod_case *made = load(EVERYTHING, NULL, 0);
+    clod_case *made = case_in(EVERYTHING, NULL, 0);
     assert_string_equal(made->title, "Free");
     assert_string_equal(made->path, EVERYTHING);
     assert_non_null(strstr(made->text, "\ntitle: Free\nseed: 7\n"));
@@ -74,7 +65,7 @@ static void materials_and_domain_are_read(void **state)
 static void pairs_inherit_from_default(void **state)
 {
     (void)state;
-    clod_case *made = load(EVERYTHING, NULL, 0);
+    clod_case *made = case_in(EVERYTHING, NULL, 0);
     const clod_case_contact *ore = clod_case_pair(made, 0, 0);
     assert_int_equal(ore->law, CLOD_LAW_MEPA);
     same(ore->exponent, 1.5);
@@ -111,7 +102,7 @@ static void pairs_inherit_from_default(void **state)
 static void grains_are_read(void **state)
 {
     (void)state;
-    clod_case *made = load(EVERYTHING, NULL, 0);
+    clod_case *made = case_in(EVERYTHING, NULL, 0);
     assert_int_equal(made->grains_count, 3);
     const clod_case_grains *sieved = &made->grains[0];
     assert_int_equal(sieved->sizes, CLOD_SIZE_SIEVE);
@@ -140,7 +131,7 @@ static void grains_are_read(void **state)
 static void walls_and_stages_are_read(void **state)
 {
     (void)state;
-    clod_case *made = load(EVERYTHING, NULL, 0);
+    clod_case *made = case_in(EVERYTHING, NULL, 0);
     assert_int_equal(made->wall_count, 2);
     const clod_case_wall *floor = &made->walls[0];
     static const int KINDS[] = {CLOD_SHAPE_PLANE, CLOD_SHAPE_CYLINDER, CLOD_SHAPE_BAR,
@@ -199,7 +190,7 @@ static void walls_and_stages_are_read(void **state)
 static void defaults_of_time_output_and_bench(void **state)
 {
     (void)state;
-    clod_case *made = load(EVERYTHING, NULL, 0);
+    clod_case *made = case_in(EVERYTHING, NULL, 0);
     same(made->time.step, 0.0);
     same(made->time.safety, 0.1);
     same(made->time.design_stress, 0.0);
@@ -239,7 +230,7 @@ static void copper_ore_is_that_of_the_paper(void **state)
     } ORES[] = {{CLOD_SOURCE_DIR "/cases/copper-ore-5/case.yaml", 3.56e8, 54.8e3, 0.04},
                 {CLOD_SOURCE_DIR "/cases/copper-ore-8/case.yaml", 5.93e8, 38.7e3, 0.036}};
     for (size_t i = 0; i < 2; i++) {
-        clod_case *made = load(ORES[i].path, NULL, 0);
+        clod_case *made = case_in(ORES[i].path, NULL, 0);
         const clod_case_ring_shear *ring = &made->ring_shear;
         assert_true(ring->present);
         const int ore = clod_case_material_index(made, ring->grain_material);
@@ -307,7 +298,7 @@ static void overrides_replace_add_and_reach_into_lists(void **state)
         overrides[0], overrides[1], "ring_shear.shear_stresses=[5 kPa, 10 kPa]",
         overrides[3], overrides[4], overrides[5],
         overrides[6]};
-    clod_case *made = load(path, good, 7);
+    clod_case *made = case_in(path, good, 7);
     assert_int_equal(made->seed, 11);
     same(made->ring_shear.programme.preshear_stress, 30e3);
     assert_int_equal(made->ring_shear.programme.shear_stress_count, 2);
@@ -330,11 +321,7 @@ static void json_is_read(void **state)
         " \"contact_bench\": {\"material_1\": \"ore\", \"material_2\": \"ore\",\n"
         "  \"radius_1\": \"3 mm\", \"radius_2\": \"3 mm\",\n"
         "  \"legs\": [{\"overlap\": \"1 um\"}]}}\n";
-    static clod_status status;
-    clod_case *made = clod_case_parse("case.json", JSON, strlen(JSON), NULL, 0, &status);
-    if (made == NULL) {
-        fail_msg("%s", status.text);
-    }
+    clod_case *made = case_at("case.json", JSON, NULL, 0);
     same(made->materials[0].density, 2000.0);
     same(clod_case_pair(made, 0, 0)->k1, 1e5);
     clod_case_destroy(&made);
@@ -346,11 +333,9 @@ static void soften_leaves_values_as_given(void **state)
 {
     (void)state;
     const char *const change = "contacts.soften=100";
-    clod_case *made = load(CLOD_SOURCE_DIR "/cases/copper-ore-5/case.yaml", &change, 1);
+    clod_case *made = case_in(CLOD_SOURCE_DIR "/cases/copper-ore-5/case.yaml", &change, 1);
     char *echo = clod_case_echo(made);
-    clod_status status;
-    clod_case *again = clod_case_parse("echo.yaml", echo, strlen(echo), NULL, 0, &status);
-    assert_non_null(again);
+    clod_case *again = case_at("echo.yaml", echo, NULL, 0);
     assert_non_null(strstr(echo, "\n  soften: 100\n"));
     for (int a = 0; a < 3; a++) {
         for (int b = 0; b < 3; b++) {
@@ -364,7 +349,7 @@ static void soften_leaves_values_as_given(void **state)
     clod_schema_free(echo);
     clod_case_destroy(&again);
     clod_case_destroy(&made);
-    made = load(CLOD_SOURCE_DIR "/cases/copper-ore-5/case.yaml", NULL, 0);
+    made = case_in(CLOD_SOURCE_DIR "/cases/copper-ore-5/case.yaml", NULL, 0);
     same(made->soften, 1.0);
     clod_case_destroy(&made);
 }
@@ -374,7 +359,7 @@ static void soften_leaves_values_as_given(void **state)
 static void keys_of_default_go_where_they_have_an_effect(void **state)
 {
     (void)state;
-    clod_case *made = load(CLOD_SOURCE_DIR "/tests/config/good/inherited.yaml", NULL, 0);
+    clod_case *made = case_in(CLOD_SOURCE_DIR "/tests/config/good/inherited.yaml", NULL, 0);
     const clod_case_contact *ore = clod_case_pair(made, 0, 0);
     const clod_case_contact *steel = clod_case_pair(made, 0, 1);
     const clod_case_contact *belt = clod_case_pair(made, 0, 2);
@@ -396,7 +381,7 @@ static void keys_of_default_go_where_they_have_an_effect(void **state)
 static void the_keys_of_luding_and_eepa_are_read(void **state)
 {
     (void)state;
-    clod_case *made = load(CLOD_SOURCE_DIR "/tests/config/good/laws.yaml", NULL, 0);
+    clod_case *made = case_in(CLOD_SOURCE_DIR "/tests/config/good/laws.yaml", NULL, 0);
     const clod_case_contact *ore = clod_case_pair(made, 0, 0);
     assert_int_equal(ore->law, CLOD_LAW_EEPA);
     same(ore->exponent, 1.5);

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "support/check.h"
+#include "support/case_of.h"
 
 #define EVERYTHING CLOD_SOURCE_DIR "/tests/config/good/everything.yaml"
 
@@ -13,21 +13,10 @@ static void same(double found, double expected)
     check_relative(found, expected, 1e-12);
 }
 
-static clod_case *load(void)
-{
-    clod_status status;
-    clod_case *made = clod_case_load(EVERYTHING, NULL, 0, &status);
-    if (made == NULL) {
-        print_error("%s\n", status.text);
-    }
-    assert_non_null(made);
-    return made;
-}
-
 static void fields(void **unused)
 {
     (void)unused;
-    clod_case *made = load();
+    clod_case *made = case_in(EVERYTHING, NULL, 0);
     assert_int_equal(made->field_count, 2);
     same(made->fields[0].cell, 0.01);
     same(made->fields[0].width, 0.025);
@@ -42,7 +31,7 @@ static void fields(void **unused)
 static void mixing_and_repose(void **unused)
 {
     (void)unused;
-    clod_case *made = load();
+    clod_case *made = case_in(EVERYTHING, NULL, 0);
     assert_int_equal(made->mixing_count, 2);
     same(made->mixings[0].above, 3e-3);
     assert_null(made->mixings[0].material);

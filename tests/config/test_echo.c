@@ -13,16 +13,7 @@
 
 #include "clod/case.h"
 #include "clod/schema.h"
-
-static clod_case *load(const char *path)
-{
-    static clod_status status;
-    clod_case *made = clod_case_load(path, NULL, 0, &status);
-    if (made == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return made;
-}
+#include "support/case_of.h"
 
 /** The echo of a case, read again, must be the same in every bit that the echo holds. */
 static void check_echo(clod_case *made)
@@ -78,7 +69,7 @@ static void echo_loads_again_to_the_same_case(void **state)
     for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
         char path[512];
         snprintf(path, sizeof path, CLOD_SOURCE_DIR "/cases/%s/case.yaml", CASES[i]);
-        clod_case *made = load(path);
+        clod_case *made = case_in(path, NULL, 0);
         check_echo(made);
         clod_case_destroy(&made);
     }
@@ -86,7 +77,7 @@ static void echo_loads_again_to_the_same_case(void **state)
     for (size_t i = 0; i < sizeof GOOD / sizeof GOOD[0]; i++) {
         char path[512];
         snprintf(path, sizeof path, CLOD_SOURCE_DIR "/tests/config/good/%s.yaml", GOOD[i]);
-        clod_case *made = load(path);
+        clod_case *made = case_in(path, NULL, 0);
         check_echo(made);
         clod_case_destroy(&made);
     }

@@ -10,7 +10,7 @@
 
 #include "clod/case.h"
 #include "config/source.h"
-#include "support/check.h"
+#include "support/case_of.h"
 
 static char folder[] = "/tmp/clod-source-XXXXXX";
 
@@ -32,16 +32,10 @@ static const char CASE[] = "materials: {ore: {density: 2500 kg/m3}}\n"
 static clod_case *load(const char *more, const char *const *overrides, size_t count)
 {
     char text[2048];
-    clod_status status = {CLOD_OK, ""};
     snprintf(text, sizeof text, "%s%s", CASE, more);
     char path[64];
     snprintf(path, sizeof path, "%s/case.yaml", folder);
-    clod_case *self = clod_case_parse(path, text, strlen(text), overrides, count, &status);
-    if (self == NULL) {
-        print_error("%s\n", status.text);
-    }
-    assert_non_null(self);
-    return self;
+    return case_at(path, text, overrides, count);
 }
 
 /** What an error becomes; %s of the expected text is the folder. */

@@ -12,7 +12,7 @@
 
 #include "clod/mesh.h"
 #include "mesh/fuzz_oracle.h"
-#include "mesh/surface_touch.h"
+#include "mesh/touching.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -92,30 +92,13 @@ static void compare(const clod_mesh *mesh, const char *extension, const uint8_t 
     }
 }
 
-#define NEAR_MOST 4096
-
-/** Facets near a grain, as far as there is room. */
-typedef struct near_list {
-    const clod_surface *surface;
-    clod_surface_facet facet[NEAR_MOST];
-    int32_t count;
-} near_list;
-
-static double note(void *context, uint32_t facet, double reach)
-{
-    near_list *self = context;
-    if (self->count < NEAR_MOST) {
-        self->facet[self->count++] = clod_surface_facet_of(self->surface, facet);
-    }
-    return reach;
-}
+#define NEAR_MOST 4096 ///< facets: more take the fuzzer too long
 
 /** Grains on its first facets: contacts are facets that there are, each with its root. */
 static void touch(const clod_mesh *mesh)
 {
     static clod_status status;
-    static near_list list;
-    static clod_surface_hit hits[NEAR_MOST];
+    static touching found;
     clod_surface *surface = clod_surface_make(mesh, NULL, 0.35, &status);
     if (surface == NULL) {
         abort();
@@ -125,14 +108,14 @@ static void touch(const clod_mesh *mesh)
         const double radius = 0.25 * surface->weld * 2097152.0; // of the size of the mesh
         const clod_vec3 at = clod_vec3_axpy(clod_vec3_of(surface->vertex[v[0]]), 0.9 * radius,
                                             surface->planes[surface->plane[f]].normal);
-        list.surface = surface;
-        list.count = 0;
-        clod_surface_near(surface, at, radius, note, &list);
-        const int32_t count = clod_surface_touch(list.facet, list.count, at, radius, hits);
-        for (int32_t k = 0; k < count; k++) {
-            if (hits[k].root > k || hits[hits[k].root].root != hits[k].root ||
-                !(hits[k].at.distance < radius) ||
-                surface->patch[hits[k].facet] >= surface->patch_count) {
+        touching_near(&found, surface, at, radius);
+        if (found.count > NEAR_MOST) {
+            continue;
+        }
+        touching_find(&found, at, radius); // which checks the roots
+        for (int32_t k = 0; k < found.hits; k++) {
+            if (!(found.hit[k].at.distance < radius) ||
+                surface->patch[found.hit[k].facet] >= surface->patch_count) {
                 abort();
             }
         }

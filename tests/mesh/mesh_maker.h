@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "clod/mesh.h"
+#include "mesh/surface.h"
 #include "support/check.h"
 
 #define MAKER_MOST 120000
@@ -67,6 +68,17 @@ static inline clod_mesh *maker_read(const maker *self, const clod_mesh_placing *
     }
     assert_non_null(mesh);
     return mesh;
+}
+
+/** The surface of the mesh; smooth below an angle [rad]. */
+static inline clod_surface *maker_surface(const maker *self, double smooth)
+{
+    clod_mesh *mesh = maker_read(self, &METRES);
+    clod_status status;
+    clod_surface *surface = clod_surface_make(mesh, NULL, smooth, &status);
+    assert_non_null(surface);
+    clod_mesh_destroy(&mesh);
+    return surface;
 }
 
 static inline clod_mesh_report maker_report(const clod_mesh *mesh, double radius)

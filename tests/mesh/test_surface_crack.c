@@ -3,10 +3,9 @@
 #include <math.h>
 
 #include "mesh/mesh_maker.h"
-#include "mesh/surface_touch.h"
+#include "mesh/touching.h"
 
 #define RADIUS 0.01
-#define MOST 64
 
 /** Half a profile: facets on a ray from (x, z), endless along y beside a grain. */
 typedef struct half {
@@ -27,47 +26,20 @@ static void sheet(maker *made, const half *self)
 
 static clod_surface *surface_of(const maker *made)
 {
-    clod_mesh *mesh = maker_read(made, &METRES);
-    clod_status status;
-    clod_surface *surface = clod_surface_make(mesh, NULL, M_PI / 9.0, &status);
-    assert_non_null(surface);
-    clod_mesh_destroy(&mesh);
-    return surface;
+    return maker_surface(made, M_PI / 9.0);
 }
-
-/** Facets of surfaces near a grain. */
-typedef struct taken {
-    const clod_surface *surface;
-    clod_surface_facet facet[MOST];
-    int32_t count;
-} taken;
-
-static double take(void *context, uint32_t facet, double reach)
-{
-    taken *self = context;
-    assert_true(self->count < MOST);
-    self->facet[self->count++] = clod_surface_facet_of(self->surface, facet);
-    return reach;
-}
-
-static clod_surface_hit hits[MOST];
 
 /** Contacts with surfaces of one wall; `first` and `second`: their distances. */
 static int touch(clod_surface *const *surfaces, int count, clod_vec3 p, double distance[2])
 {
-    static taken all;
-    all.count = 0;
+    static touching found;
+    found.count = 0;
     for (int s = 0; s < count; s++) {
-        all.surface = surfaces[s];
-        clod_surface_near(surfaces[s], p, RADIUS, take, &all);
+        touching_add(&found, surfaces[s], p, RADIUS);
     }
-    const int32_t found = clod_surface_touch(all.facet, all.count, p, RADIUS, hits);
-    int contacts = 0;
-    for (int32_t k = 0; k < found; k++) {
-        if (hits[k].root == k) {
-            distance[contacts < 2 ? contacts : 1] = hits[k].at.distance;
-            contacts++;
-        }
+    const int contacts = touching_find(&found, p, RADIUS);
+    for (int k = 0; k < contacts; k++) {
+        distance[k < 2 ? k : 1] = found.contact[k]->at.distance;
     }
     return contacts;
 }

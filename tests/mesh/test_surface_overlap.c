@@ -4,52 +4,24 @@
 #include <math.h>
 
 #include "mesh/mesh_maker.h"
-#include "mesh/surface_touch.h"
+#include "mesh/touching.h"
 #include "support/dice.h"
 
 #define SMOOTH (20.0 * M_PI / 180.0)
 #define RADIUS 0.2
-#define MOST 64
 
-static clod_surface_facet near_facets[MOST];
-static clod_surface_hit hits[MOST];
+static touching found, twin;
 
 static clod_surface *surface_of(const maker *made)
 {
-    clod_mesh *mesh = maker_read(made, &METRES);
-    clod_status status;
-    clod_surface *surface = clod_surface_make(mesh, NULL, SMOOTH, &status);
-    assert_non_null(surface);
-    clod_mesh_destroy(&mesh);
-    return surface;
+    return maker_surface(made, SMOOTH);
 }
 
-typedef struct list {
-    const clod_surface *surface;
-    int32_t count;
-} list;
-
-static double note(void *context, uint32_t facet, double reach)
+/** How many contacts a grain has. */
+static int contacts_of(const clod_surface *surface, clod_vec3 p, touching *to)
 {
-    list *self = context;
-    assert_true(self->count < MOST);
-    near_facets[self->count++] = clod_surface_facet_of(self->surface, facet);
-    return reach;
-}
-
-/** Contacts of a grain, the nearest first. */
-static int contacts_of(const clod_surface *surface, clod_vec3 p, clod_surface_closest *contact)
-{
-    list found = {surface, 0};
-    clod_surface_near(surface, p, 1.3 * RADIUS, note, &found);
-    const int32_t count = clod_surface_touch(near_facets, found.count, p, RADIUS, hits);
-    int contacts = 0;
-    for (int32_t k = 0; k < count; k++) {
-        if (hits[k].root == k) {
-            contact[contacts++] = hits[k].at;
-        }
-    }
-    return contacts;
+    touching_near(to, surface, p, 1.3 * RADIUS);
+    return touching_find(to, p, RADIUS);
 }
 
 /** A rectangle at z = 0, from `low` to `high`; its diagonal goes up or down. */
@@ -79,12 +51,11 @@ static void expect_rectangle(const clod_surface *surface)
         const clod_vec3 p = {dice_real(&roll, -1.2, 1.2), dice_real(&roll, -1.2, 1.2),
                              dice_real(&roll, -0.2, 0.2)};
         const double distance = from_rectangle(p, -1.0, -1.0, 1.0, 1.0);
-        clod_surface_closest contact[MOST];
-        const int count = contacts_of(surface, p, contact);
+        const int count = contacts_of(surface, p, &found);
         assert_int_equal(count, distance < RADIUS);
         if (count == 1) {
-            check_close(contact[0].distance, distance, 1e-15);
-            check_close(contact[0].direction.z, p.z / distance, 1e-12);
+            check_close(found.contact[0]->at.distance, distance, 1e-15);
+            check_close(found.contact[0]->at.direction.z, p.z / distance, 1e-12);
         }
         if (distance > fabs(p.z) && distance < RADIUS) {
             assert_true(clod_surface_rim_is_near(surface, 0, p, RADIUS));
@@ -175,14 +146,14 @@ static void a_cross_of_two_plates(void **state)
         const bool apart = beyond && cosine < cos(SMOOTH);
         const int expected =
             fmin(first, second) >= RADIUS ? 0 : 1 + (apart && fmax(first, second) < RADIUS);
-        clod_surface_closest found[MOST], twin[MOST];
-        assert_int_equal(contacts_of(over, p, found), expected);
-        assert_int_equal(contacts_of(beside, p, twin), expected);
+        assert_int_equal(contacts_of(over, p, &found), expected);
+        assert_int_equal(contacts_of(beside, p, &twin), expected);
         for (int c = 0; c < expected; c++) {
-            check_close(found[c].distance, c == 0 ? fmin(first, second) : fmax(first, second),
-                        1e-6);
-            check_close(found[c].direction.x, twin[c].direction.x, 1e-5);
-            check_close(found[c].direction.y, twin[c].direction.y, 1e-5);
+            const clod_surface_closest *at = &found.contact[c]->at;
+            const clod_surface_closest *same = &twin.contact[c]->at;
+            check_close(at->distance, c == 0 ? fmin(first, second) : fmax(first, second), 1e-6);
+            check_close(at->direction.x, same->direction.x, 1e-5);
+            check_close(at->direction.y, same->direction.y, 1e-5);
         }
         both += expected == 2;
     }
@@ -200,12 +171,11 @@ static void half_an_edge_on_a_t_is_a_rim(void **state)
     rectangle(made, 2, 0, 3, 1, false);
     clod_surface *surface = surface_of(made);
     assert_int_equal(surface->patch_count, 1);
-    clod_surface_closest contact[MOST];
     for (int k = 1; k < 10; k++) {
         const clod_vec3 p = {2.0 + 0.019 * k, 1.7, 0.1};
         assert_true(clod_surface_rim_is_near(surface, 0, p, RADIUS));
-        assert_int_equal(contacts_of(surface, p, contact), hypot(0.019 * k, 0.1) < RADIUS);
-        check_close(contact[0].distance, hypot(0.019 * k, 0.1), 1e-15);
+        assert_int_equal(contacts_of(surface, p, &found), hypot(0.019 * k, 0.1) < RADIUS);
+        check_close(found.contact[0]->at.distance, hypot(0.019 * k, 0.1), 1e-15);
     }
     clod_surface_release(surface);
 }

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "mesh/mesh_maker.h"
-#include "mesh/surface_touch.h"
+#include "mesh/touching.h"
 #include "support/dice.h"
 
 #define SIDES 40 ///< over half the circle
@@ -25,11 +25,7 @@ static clod_surface *half_tube(void)
         maker_add(made, corner[0], corner[2], corner[1]);
         maker_add(made, corner[0], corner[3], corner[2]);
     }
-    clod_mesh *mesh = maker_read(made, &METRES);
-    clod_status status;
-    clod_surface *surface = clod_surface_make(mesh, NULL, 0.35, &status);
-    assert_non_null(surface);
-    clod_mesh_destroy(&mesh);
+    clod_surface *surface = maker_surface(made, 0.35);
     const clod_surface_cylinder cylinder = {{0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1.0};
     assert_true(clod_surface_make_round(surface, 0, &cylinder));
     return surface;
@@ -75,19 +71,6 @@ static void the_closest_point_is_on_the_circle(void **state)
     clod_surface_release(surface);
 }
 
-/** Facets near a grain. */
-typedef struct taken {
-    const clod_surface *surface;
-    clod_surface_facet *next;
-} taken;
-
-static double take(void *context, uint32_t facet, double reach)
-{
-    taken *self = context;
-    *self->next++ = clod_surface_facet_of(self->surface, facet);
-    return reach;
-}
-
 /** A grain on it, outside or inside, has one contact, along the radius. */
 static void a_grain_has_one_contact_along_the_radius(void **state)
 {
@@ -101,19 +84,13 @@ static void a_grain_has_one_contact_along_the_radius(void **state)
         const double r = 1.0 + side * (radius - overlap);
         const clod_vec3 out = {0.0, cos(a), sin(a)};
         const clod_vec3 p = clod_vec3_axpy((clod_vec3){1.0, 0.0, 0.0}, r, out);
-        clod_surface_facet facets[2 * SIDES];
-        taken all = {surface, facets};
-        clod_surface_hit hits[2 * SIDES];
-        clod_surface_near(surface, p, radius, take, &all);
-        const int32_t count =
-            clod_surface_touch(facets, (int32_t)(all.next - facets), p, radius, hits);
-        assert_true(count > 0);
-        check_close(hits[0].at.distance, radius - overlap, ROUNDING);
+        static touching found;
+        touching_near(&found, surface, p, radius);
+        assert_int_equal(touching_find(&found, p, radius), 1);
+        const clod_surface_closest *at = &found.contact[0]->at;
+        check_close(at->distance, radius - overlap, ROUNDING);
         // where a corner stands out by its rounding, it is nearer than the circle beside it
-        check_close(side * clod_vec3_dot(hits[0].at.direction, out), 1.0, ROUNDING / radius);
-        for (int32_t h = 0; h < count; h++) {
-            assert_int_equal(hits[h].root, 0);
-        }
+        check_close(side * clod_vec3_dot(at->direction, out), 1.0, ROUNDING / radius);
     }
     clod_surface_release(surface);
 }

@@ -3,54 +3,26 @@
 #include <math.h>
 
 #include "mesh/mesh_maker.h"
-#include "mesh/surface_touch.h"
+#include "mesh/touching.h"
 #include "support/dice.h"
 
 #define SMOOTH (20.0 * M_PI / 180.0)
-#define MOST 65536
-
-static clod_surface_facet near_facets[MOST];
-static clod_surface_hit hits[MOST];
 
 /** The surface of what was made. */
 static clod_surface *surface_of(const maker *made)
 {
-    clod_mesh *mesh = maker_read(made, &METRES);
-    clod_status status;
-    clod_surface *surface = clod_surface_make(mesh, NULL, SMOOTH, &status);
-    assert_non_null(surface);
-    clod_mesh_destroy(&mesh);
-    return surface;
+    return maker_surface(made, SMOOTH);
 }
 
-typedef struct list {
-    const clod_surface *surface;
-    int32_t count;
-} list;
-
-static double note(void *context, uint32_t facet, double reach)
-{
-    list *self = context;
-    assert_true(self->count < MOST);
-    near_facets[self->count++] = clod_surface_facet_of(self->surface, facet);
-    return reach;
-}
-
-/** Contacts of a grain; their hits come first in `contact`. */
+/** Contacts of a grain; their hits. */
 static int contacts_of(const clod_surface *surface, clod_vec3 p, double radius,
                        const clod_surface_hit *contact[8])
 {
-    list found = {surface, 0};
-    clod_surface_near(surface, p, 1.3 * radius, note, &found);
-    const int32_t count = clod_surface_touch(near_facets, found.count, p, radius, hits);
-    int contacts = 0;
-    for (int32_t k = 0; k < count; k++) {
-        assert_true(hits[k].root >= 0 && hits[k].root <= k);
-        if (hits[k].root == k) {
-            assert_true(contacts < 8);
-            contact[contacts++] = &hits[k];
-        }
-    }
+    static touching found;
+    touching_near(&found, surface, p, 1.3 * radius);
+    const int contacts = touching_find(&found, p, radius);
+    assert_true(contacts <= 8);
+    memcpy(contact, found.contact, (size_t)contacts * sizeof *contact);
     return contacts;
 }
 

@@ -4,12 +4,11 @@
 #include <math.h>
 
 #include "mesh/mesh_maker.h"
-#include "mesh/surface_touch.h"
+#include "mesh/touching.h"
 #include "support/dice.h"
 
 #define RADIUS 0.3
 #define POINTS 4000
-#define MOST 4096
 
 /** The cube [-1, 1]^3, each side in its own number of pieces. */
 static clod_surface *cube(void)
@@ -31,43 +30,19 @@ static clod_surface *cube(void)
             }
         }
     }
-    clod_mesh *mesh = maker_read(made, &METRES);
-    clod_status status;
-    clod_surface *surface = clod_surface_make(mesh, NULL, 0.35, &status);
-    assert_non_null(surface);
-    clod_mesh_destroy(&mesh);
-    return surface;
-}
-
-/** Facets near a grain. */
-typedef struct taken {
-    const clod_surface *surface;
-    clod_surface_facet *next;
-} taken;
-
-static double take(void *context, uint32_t facet, double reach)
-{
-    taken *self = context;
-    *self->next++ = clod_surface_facet_of(self->surface, facet);
-    return reach;
+    return maker_surface(made, 0.35);
 }
 
 /** Sum of the overlaps along their directions, the force for a stiffness of 1; how many contacts. */
 static clod_vec3 force_at(const clod_surface *surface, clod_vec3 p, int *contacts)
 {
-    static clod_surface_facet facets[MOST];
-    static clod_surface_hit hits[MOST];
-    taken all = {surface, facets};
-    clod_surface_near(surface, p, RADIUS, take, &all);
-    const int32_t count =
-        clod_surface_touch(facets, (int32_t)(all.next - facets), p, RADIUS, hits);
+    static touching found;
     clod_vec3 force = {0.0, 0.0, 0.0};
-    *contacts = 0;
-    for (int32_t k = 0; k < count; k++) {
-        if (hits[k].root == k) {
-            force = clod_vec3_axpy(force, RADIUS - hits[k].at.distance, hits[k].at.direction);
-            (*contacts)++;
-        }
+    touching_near(&found, surface, p, RADIUS);
+    *contacts = touching_find(&found, p, RADIUS);
+    for (int k = 0; k < *contacts; k++) {
+        const clod_surface_closest *at = &found.contact[k]->at;
+        force = clod_vec3_axpy(force, RADIUS - at->distance, at->direction);
     }
     return force;
 }

@@ -12,10 +12,23 @@ import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "calibrate"))
+import bounce
 import pages
 from pages import clod
 
 BROWSER = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "google-chrome"))), None)
+# on their way down, for ten steps
+MANY = """title: A hundred thousand grains
+materials: {ore: {density: 2500 kg/m3}, steel: {}}
+contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.3}}
+time: {step: 1e-6 s}
+grains:
+  - {material: ore, count: 100000, radius: {distribution: uniform, min: 0.99 mm, max: 1.01 mm}, region: {box: {min: [0 mm, 0 mm, 2 mm], max: [150 mm, 150 mm, 152 mm]}}}
+walls: {floor: {material: steel, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}}]}}
+stages: [{name: fall, duration: 1e-5 s}]
+output: {snapshot_interval: 1e-5 s}
+"""
 # a note of the driver's about speed, no error of the page
 IGNORED = "GL Driver Message"
 
@@ -104,6 +117,54 @@ class Browser(clod.Case):
         (first, last), = stress.lines()  # from 0 % and 0 kPa to 0.9 % and 9.0045 kPa
         self.assertAlmostEqual(last[0] - first[0], 0.9 * stress.pixels("x"), delta=0.03)
         self.assertAlmostEqual(last[1] - first[1], 9.0045 * stress.pixels("y"), delta=0.03)
+
+    def test_ring_shear(self):
+        """A real test: all figures are drawn, the yield locus at equal scale with its points in their places."""
+        done = clod.run("run", clod.source("tests/restart/ring.yaml"), "-o", self.path("ring"), "-t", "1", "--report")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.need_scripts(clod.run("report", self.path("ring")))
+        with open(self.path("ring/summary.json")) as file:
+            points = json.load(file)["locus"]["loci"][0]["points"]
+        for width in (1200, 390):
+            seen, dom = self.show("ring/report.html", width)
+            self.assert_drawn(seen, dom, self.unfolded("ring/report.html"))
+            locus = pages.Drawn(dom, "yield-locus")
+            across, up = locus.pixels("x"), -locus.pixels("y")  # of a kPa
+            self.assertAlmostEqual(across / up, 1.0, delta=0.01)
+            (x, y), (first, last) = locus.marks()[0], (points[0], points[-1])
+            right, top = locus.marks()[len(points) - 1]
+            self.assertAlmostEqual((right - x) / across, 1e-3 * (last["sigma_s_Pa"] - first["sigma_s_Pa"]), delta=0.1 / across)
+            self.assertAlmostEqual((y - top) / up, 1e-3 * (last["prorated_Pa"] - first["prorated_Pa"]), delta=0.1 / up)
+
+    def test_wall_friction(self):
+        pages.wall(self.path("wall"))
+        self.need_scripts(clod.run("report", self.path("wall")))
+        seen, dom = self.show("wall/report.html", 390)
+        self.assert_drawn(seen, dom, self.unfolded("wall/report.html"))
+
+    def test_calibration(self):
+        """The page of a calibration that is run here: targets, posterior and what was foretold."""
+        shutil.copy(bounce.CASE, self.folder)
+        with open(self.path("plan.yaml"), "w") as file:
+            file.write(bounce.PLAN)
+        done = clod.run("calibrate", "plan.yaml", "-o", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.need_scripts(clod.run("report", self.path("out")))
+        seen, dom = self.show("out/report.html")
+        self.assert_drawn(seen, dom, self.unfolded("out/report.html"))
+
+    def test_a_hundred_thousand_grains(self):
+        """The view has all of them, and the scripts draw them."""
+        with open(self.path("many.yaml"), "w") as file:
+            file.write(MANY)
+        done = clod.run("run", self.path("many.yaml"), "-o", self.path("many"), "--report")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.need_scripts(clod.run("report", self.path("many")))
+        seen, _ = self.show("many/report.html")
+        view, = json.loads(seen["views"])
+        self.assertEqual(view["grains"], 100000)
+        self.assertGreater(view["coverage"], 0.05)
+        self.assertGreater(view["colours"], 50)
 
     def test_names_are_no_markup(self):
         """Folders, and units of columns, that plotly and a browser would read as markup."""

@@ -10,7 +10,7 @@
 
 #include "setup/region_walls.h"
 #include "setup/walls.h"
-#include "support/check.h"
+#include "support/case_of.h"
 
 #define BOX                                                                                    \
     "region: {box: {min: [-50 mm, -50 mm, -50 mm], max: [50 mm, 50 mm, 50 mm]}}, count: 3"
@@ -55,8 +55,8 @@ static subject make(const char *group, const char *shapes, const char *more)
         "walls: {w: {material: ore, shapes: [{%s}]%s}}\n"
         "stages: [{name: run, duration: 1 ms}]\n",
         group, shapes, more);
-    subject self = {.from = clod_case_parse(path, text, strlen(text), NULL, 0, &status)};
-    if (self.from == NULL || !clod_setup_walls(self.from, &self.walls, &status)) {
+    subject self = {.from = case_at(path, text, NULL, 0)};
+    if (!clod_setup_walls(self.from, &self.walls, &status)) {
         fail_msg("%s", status.text);
     }
     return self;

@@ -10,6 +10,7 @@
 #include "setup/state.h"
 #include "setup/walls.h"
 #include "step/step.h"
+#include "support/case_of.h"
 #include "support/sim_made.h"
 
 /** Grains of ore of 2 mm on rubber; there is no law between rubber and rubber. */
@@ -35,8 +36,7 @@ typedef struct made {
 static void make(made *self)
 {
     *self = (made){0};
-    self->from = clod_case_parse("case.yaml", TEXT, strlen(TEXT), NULL, 0, &status);
-    CHECK(self->from != NULL);
+    self->from = case_of(TEXT, NULL);
     const clod_step_options options = {
         .threads = 1, .accepts = clod_setup_bound_accepts, .context = self->from};
     CHECK(clod_setup_state(self->from, 1, &self->state, &status));

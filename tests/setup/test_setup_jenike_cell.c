@@ -41,7 +41,7 @@ static void build(const clod_case *from, clod_state *state)
 static void walls_stand_in_order_with_their_materials(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, &s);
     const char *names[4] = {"base", "base_ring", "shear_ring", "lid"};
@@ -72,7 +72,7 @@ static void walls_stand_in_order_with_their_materials(void **state)
 static void rings_meet_at_the_shear_plane(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, &s);
     const clod_shape *floor = s.walls.wall[BASE].shapes;
@@ -101,7 +101,7 @@ static void rings_meet_at_the_shear_plane(void **state)
 static void grains_are_in_the_cell_and_touch_nothing(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, &s);
     cell_check_nothing_touches(&s);
@@ -123,7 +123,7 @@ static void no_way_leads_out_between_the_rings(void **state)
 {
     (void)state;
     static const double MOVED[] = {0.0, 0.004, 0.0085}; // behind, aligned, 4.5 mm before
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, &s);
     for (size_t m = 0; m < 3; m++) {
@@ -145,7 +145,7 @@ static void no_way_leads_out_between_the_rings(void **state)
 static void heights_give_the_number_of_grains(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, &s);
     check_close((double)s.grains.count, 784.0, 11.0);
@@ -155,7 +155,7 @@ static void heights_give_the_number_of_grains(void **state)
     }
     check_relative(volume, 1.05558e-4, 1e-3); // half a grain is 6e-4
     cell_end(from, &s);
-    from = cell_load(CASE, "jenike.grain_count=123");
+    from = case_of(CASE, "jenike.grain_count=123");
     build(from, &s);
     assert_int_equal(s.grains.count, 123);
     cell_end(from, &s);
@@ -164,7 +164,7 @@ static void heights_give_the_number_of_grains(void **state)
 static void state_is_ready_for_filling(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, "jenike.fill_adhesion=20 %");
+    clod_case *from = case_of(CASE, "jenike.fill_adhesion=20 %");
     clod_state s;
     build(from, &s);
     assert_true(s.adhesion == 0.2 && s.gravity[2] < -9.8 && s.step == 0);
@@ -183,7 +183,7 @@ static void state_is_ready_for_filling(void **state)
 static void lid_begins_at_the_top_of_the_ring_at_least(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, "jenike.grain_count=5");
+    clod_case *from = case_of(CASE, "jenike.grain_count=5");
     clod_state s;
     build(from, &s);
     check_relative(s.walls.wall[LID].shapes[0].center.z, 0.035, 1e-14);

@@ -44,7 +44,7 @@ static void build(const clod_case *from, int64_t seed, clod_state *state)
 static void walls_stand_in_order_with_their_materials(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, 1, &s);
     assert_int_equal(s.walls.count, 3);
@@ -70,7 +70,7 @@ static void walls_stand_in_order_with_their_materials(void **state)
 static void bars_are_radial_boxes_on_base_and_lid(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, 1, &s);
     const clod_shape *base = s.walls.wall[CLOD_RING_CELL_TROUGH].shapes;
@@ -98,7 +98,7 @@ static void bars_are_radial_boxes_on_base_and_lid(void **state)
 static void grains_touch_nothing(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, 1, &s);
     cell_check_nothing_touches(&s);
@@ -120,7 +120,7 @@ static void grains_touch_nothing(void **state)
 static void depth_and_bars_give_the_number_of_grains(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_status status = {0};
     const size_t count = clod_ring_cell_count(from, 1, &status);
     check_close((double)count, 4030.0, 30.0);
@@ -133,7 +133,7 @@ static void depth_and_bars_give_the_number_of_grains(void **state)
     }
     check_relative(volume, 5.42887e-4, 1.5e-4); // half a grain is 1.2e-4
     cell_end(from, &s);
-    from = cell_load(CASE, "ring_shear.grain_count=321");
+    from = case_of(CASE, "ring_shear.grain_count=321");
     build(from, 1, &s);
     assert_int_equal(s.grains.count, 321);
     cell_end(from, &s);
@@ -144,7 +144,7 @@ static void depth_and_bars_give_the_number_of_grains(void **state)
 static void state_is_ready_for_filling(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, 1, &s);
     check_close(s.dt, 1e-6, 0.2e-6);
@@ -159,7 +159,7 @@ static void state_is_ready_for_filling(void **state)
 static void seed_decides_every_bit(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, "ring_shear.grain_count=500");
+    clod_case *from = case_of(CASE, "ring_shear.grain_count=500");
     clod_state s[3];
     for (int k = 0; k < 3; k++) {
         build(from, k < 2 ? 3 : 4, &s[k]);

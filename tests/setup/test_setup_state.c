@@ -8,7 +8,7 @@
 #include "setup/domain.h"
 #include "setup/grains.h"
 #include "setup/state.h"
-#include "support/check.h"
+#include "support/case_of.h"
 
 #define HEAD                                                                                   \
     "title: state\n"                                                                           \
@@ -25,16 +25,6 @@
 #define SIZES "    radius: {distribution: uniform, min: 1 mm, max: 1 mm}\n"
 #define REGION "    region: {box: {min: [0 mm, 0 mm, 0 mm], max: [20 mm, 30 mm, 40 mm]}}\n"
 
-static clod_case *load(const char *text)
-{
-    clod_status status = {0};
-    clod_case *from = clod_case_parse("state.yaml", text, strlen(text), NULL, 0, &status);
-    if (from == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return from;
-}
-
 static void build(const clod_case *from, clod_state *state)
 {
     clod_status status = {0};
@@ -48,11 +38,12 @@ static void build(const clod_case *from, clod_state *state)
 static void groups_by_count_mass_and_fill_height(void **state)
 {
     (void)state;
-    clod_case *from = load(HEAD "grains:\n"
-                                "  - material: ore\n    count: 7\n" SIZES REGION
-                                "  - material: ore\n    mass: 1 g\n" SIZES REGION
-                                "  - material: ore\n    fill_height: 10 mm\n" SIZES REGION
-                                "    velocity: 0 0 -1 m/s\n" STAGES);
+    clod_case *from = case_of(HEAD "grains:\n"
+                                   "  - material: ore\n    count: 7\n" SIZES REGION
+                                   "  - material: ore\n    mass: 1 g\n" SIZES REGION
+                                   "  - material: ore\n    fill_height: 10 mm\n" SIZES REGION
+                                   "    velocity: 0 0 -1 m/s\n" STAGES,
+                              NULL);
     clod_state s;
     build(from, &s);
     assert_int_equal(s.grains.count, 7 + 119 + 859);
@@ -76,12 +67,13 @@ static void domain_is_generous_when_not_given(void **state)
 {
     (void)state;
     clod_case *from =
-        load(HEAD "grains:\n"
-                  "  - material: ore\n    count: 5\n" SIZES REGION "walls:\n"
-                  "  post:\n"
-                  "    material: steel\n"
-                  "    shapes: [{cylinder: {foot: [0 mm, 15 mm, 0 mm], axis: [0, 0, 1],"
-                  " radius: 5 mm, length: 50 mm, side: outside}}]\n" STAGES);
+        case_of(HEAD "grains:\n"
+                     "  - material: ore\n    count: 5\n" SIZES REGION "walls:\n"
+                     "  post:\n"
+                     "    material: steel\n"
+                     "    shapes: [{cylinder: {foot: [0 mm, 15 mm, 0 mm], axis: [0, 0, 1],"
+                     " radius: 5 mm, length: 50 mm, side: outside}}]\n" STAGES,
+                NULL);
     clod_state s;
     build(from, &s);
     check_close(s.domain.min[2], -50e-3, 1e-12);
@@ -95,11 +87,13 @@ static void domain_is_generous_when_not_given(void **state)
 static void given_domain_is_taken(void **state)
 {
     (void)state;
-    clod_case *from = load(HEAD "domain: {min: [0 mm, 0 mm, -1 mm], max: [20 mm, 30 mm, 90 mm],"
-                                " periodic: [true, true, false]}\n"
-                                "gravity: [1 m/s2, 0 m/s2, -9 m/s2]\n"
-                                "grains:\n"
-                                "  - material: ore\n    count: 50\n" SIZES REGION STAGES);
+    clod_case *from =
+        case_of(HEAD "domain: {min: [0 mm, 0 mm, -1 mm], max: [20 mm, 30 mm, 90 mm],"
+                     " periodic: [true, true, false]}\n"
+                     "gravity: [1 m/s2, 0 m/s2, -9 m/s2]\n"
+                     "grains:\n"
+                     "  - material: ore\n    count: 50\n" SIZES REGION STAGES,
+                NULL);
     clod_state s;
     build(from, &s);
     assert_true(s.domain.min[2] == -1e-3 && s.domain.max[1] == 30e-3);
@@ -120,7 +114,7 @@ static clod_case *load_with_file(const char *rows, const char *rest)
     char text[2048];
     snprintf(text, sizeof text, "%sgrains:\n  - {material: ore, file: %s}\n%s%s", HEAD, path,
              rest, STAGES);
-    return load(text);
+    return case_of(text, NULL);
 }
 
 static void end_with_file(clod_case **from)
@@ -152,7 +146,7 @@ static void step_of_free_grains_by_hand(void **state)
 static void each_material_has_its_own_grains(void **state)
 {
     (void)state;
-    clod_case *from = load(
+    clod_case *from = case_of(
         "materials:\n"
         "  ore: {density: 2000 kg/m3}\n"
         "  steel: {density: 8000 kg/m3}\n"
@@ -162,7 +156,8 @@ static void each_material_has_its_own_grains(void **state)
         "  steel-steel: {k1: 1e12 N/m}\n" // only one ball: it meets none like it
         "grains:\n"
         "  - material: ore\n    count: 50\n" SIZES REGION "  - material: steel\n    count: 1\n"
-        "    radius: {distribution: uniform, min: 5 mm, max: 5 mm}\n" REGION STAGES);
+        "    radius: {distribution: uniform, min: 5 mm, max: 5 mm}\n" REGION STAGES,
+        NULL);
     clod_state s;
     build(from, &s);
     check_relative(s.dt, 0.1 * 1.81679e-6 / 3.14159265358979, 1e-5);

@@ -34,7 +34,7 @@ static void build(const clod_case *from, clod_state *state)
 static void walls_stand_in_order_with_their_materials(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, &s);
     const char *names[3] = {"base", "mould", "lid"};
@@ -69,7 +69,7 @@ static void walls_stand_in_order_with_their_materials(void **state)
 static void grains_are_in_the_mould_and_touch_nothing(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, &s);
     cell_check_nothing_touches(&s);
@@ -91,7 +91,7 @@ static void grains_are_in_the_mould_and_touch_nothing(void **state)
 static void height_gives_the_number_of_grains(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, NULL);
+    clod_case *from = case_of(CASE, NULL);
     clod_state s;
     build(from, &s);
     check_close((double)s.grains.count, 630.0, 10.0);
@@ -101,7 +101,7 @@ static void height_gives_the_number_of_grains(void **state)
     }
     check_relative(volume, 8.4823e-5, 1e-3); // half a grain is 8e-4
     cell_end(from, &s);
-    from = cell_load(CASE, "uniaxial.grain_count=123");
+    from = case_of(CASE, "uniaxial.grain_count=123");
     build(from, &s);
     assert_int_equal(s.grains.count, 123);
     cell_end(from, &s);
@@ -110,7 +110,7 @@ static void height_gives_the_number_of_grains(void **state)
 static void state_is_ready_for_filling(void **state)
 {
     (void)state;
-    clod_case *from = cell_load(CASE, "uniaxial.fill_adhesion=20 %");
+    clod_case *from = case_of(CASE, "uniaxial.fill_adhesion=20 %");
     clod_state s;
     build(from, &s);
     assert_true(s.adhesion == 0.2 && s.gravity[2] < -9.8 && s.step == 0);
@@ -129,7 +129,7 @@ static void the_largest_stress_sets_the_step(void **state)
     double dt[2];
     const char *overrides[2] = {NULL, "uniaxial.consolidation_stresses=[100 kPa, 10 kPa]"};
     for (int k = 0; k < 2; k++) {
-        clod_case *from = cell_load(CASE, overrides[k]);
+        clod_case *from = case_of(CASE, overrides[k]);
         clod_state s;
         build(from, &s);
         dt[k] = s.dt;

@@ -33,7 +33,7 @@ static clod_case *build(const char *more, clod_state *state)
     char text[2048];
     clod_status status = {0};
     snprintf(text, sizeof text, "%s%s", CASE, more);
-    clod_case *from = cell_load(text, NULL);
+    clod_case *from = case_of(text, NULL);
     if (!clod_setup_wall_friction_cell(from, 1, state, &status)) {
         fail_msg("%s", status.text);
     }

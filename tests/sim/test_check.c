@@ -13,6 +13,7 @@
 #include <jansson.h>
 
 #include "clod/check.h"
+#include "support/case_of.h"
 
 #define K1 4.75e8
 #define K2 2.37e9
@@ -80,11 +81,7 @@ static int look(void **state, const char *text, const char *change, int threads,
     looked *self = *state;
     const clod_check_options options = {.threads = threads, .directory = "."};
     clod_case_destroy(&self->from);
-    self->from =
-        clod_case_parse("case.yaml", text, strlen(text), &change, change != NULL, status);
-    if (self->from == NULL) {
-        fail_msg("%s", status->text);
-    }
+    self->from = case_of(text, change);
     return clod_check_report_make(self->from, &options, &self->report, status);
 }
 

@@ -45,8 +45,7 @@ static bool accepted_on(int ranks, const char *text, const char *const *changes,
     const clod_check_options options = {.threads = 1, .ranks = ranks, .directory = "."};
     *status = (clod_status){CLOD_OK, ""};
     clod_case_destroy(&preflight_case);
-    preflight_case = clod_case_parse("case.yaml", text, strlen(text), changes, count, status);
-    assert_non_null(preflight_case);
+    preflight_case = case_at("case.yaml", text, changes, count);
     return clod_check_report_make(preflight_case, &options, &report, status);
 }
 

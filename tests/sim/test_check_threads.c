@@ -14,6 +14,7 @@
 
 #include "clod/check.h"
 #include "parallel/threads.h"
+#include "support/case_of.h"
 
 static const char BED[] =
     "materials:\n"
@@ -31,9 +32,8 @@ static void look(const char *change, int threads, clod_check_report *report)
 {
     clod_status status = {CLOD_OK, ""};
     const clod_check_options options = {.threads = threads, .directory = "."};
-    clod_case *from =
-        clod_case_parse("case.yaml", BED, strlen(BED), &change, change != NULL, &status);
-    if (from == NULL || !clod_check_report_make(from, &options, report, &status)) {
+    clod_case *from = case_of(BED, change);
+    if (!clod_check_report_make(from, &options, report, &status)) {
         fail_msg("%s", status.text);
     }
     // the report borrows texts from the case, which are not looked at

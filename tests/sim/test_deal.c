@@ -13,6 +13,7 @@
 #include "setup/state.h"
 #include "step/crew.h"
 #include "support/bits.h"
+#include "support/case_of.h"
 #include "support/ranks_threads.h"
 #include "support/sanitized.h"
 
@@ -118,16 +119,6 @@ typedef struct dealt_bed {
     made_bed *into;
 } dealt_bed;
 
-static clod_case *parse(const char *text)
-{
-    clod_status status = {0};
-    clod_case *from = clod_case_parse("deal.yaml", text, strlen(text), NULL, 0, &status);
-    if (from == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return from;
-}
-
 static void step(made_bed *self, const clod_case *from, int64_t steps, clod_step_options how)
 {
     clod_status status = {0};
@@ -224,7 +215,7 @@ static void check_apart(const clod_state *state)
 static void compare(const char *text, int64_t steps)
 {
     static const int RANKS[] = {2, 3, 4, 7};
-    clod_case *from = parse(text);
+    clod_case *from = case_of(text, NULL);
     made_bed one, several;
     make_alone(&one, from, steps);
     for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k += sanitized() ? 2 : 1) {
@@ -267,7 +258,7 @@ static void no_rank_has_a_list_of_all_grains(void **state)
     if (looks_for_races()) {
         skip(); // it counts bytes
     }
-    clod_case *from = parse(MANY);
+    clod_case *from = case_of(MANY, NULL);
     made_bed one, several;
     make_alone(&one, from, 2);
     check_apart(&one.state);
@@ -298,7 +289,7 @@ static void fail_first(clod_ranks *ranks, void *context)
     }
     clod_status status = {0}, alone = {0};
     made_bed none = {0};
-    clod_case *full = parse(LAYERS);
+    clod_case *full = case_of(LAYERS, NULL);
     full->grains[1].count = 9000; // in place of the mass
     dealt_bed too_many = {.from = full, .piece = 100, .into = &none};
     assert_false(give(&too_many, ranks, &status));
@@ -315,7 +306,7 @@ static void fail_first(clod_ranks *ranks, void *context)
 static void a_bed_that_cannot_be_made_leaves_nothing_behind(void **state)
 {
     (void)state;
-    clod_case *from = parse(RINGS);
+    clod_case *from = case_of(RINGS, NULL);
     made_bed one, several;
     make_alone(&one, from, 10);
     dealt_bed how = {.from = from, .steps = 10, .piece = 64, .into = &several};

@@ -7,6 +7,7 @@
 #include "clod/case.h"
 #include "clod/run.h"
 #include "output/vtk_file.h"
+#include "support/case_of.h"
 
 #define WIDTH 0.012
 #define CELL 0.004
@@ -45,12 +46,7 @@ static void run(void **folder)
                 GRAIN[g][3]);
     }
     assert_int_equal(fclose(out), 0);
-    clod_case *made = clod_case_parse(temp_path(path, folder, "case.yaml"), CASE,
-                                      sizeof CASE - 1, NULL, 0, &status);
-    if (made == NULL) {
-        print_error("%s\n", status.text);
-    }
-    assert_non_null(made);
+    clod_case *made = case_at(temp_path(path, folder, "case.yaml"), CASE, NULL, 0);
     char results[PATH_MAX];
     const clod_run_options options = {.directory = temp_path(results, folder, "out"),
                                       .threads = 1};

@@ -6,6 +6,7 @@
 
 #include "setup/state.h"
 #include "sim/inlets.h"
+#include "support/case_of.h"
 #include "support/sim_made.h"
 
 /** The run begins with these grains. */
@@ -38,8 +39,7 @@ static const char *const TEXT =
 
 static void made(clod_case **from, clod_state *state)
 {
-    *from = clod_case_parse("case.yaml", TEXT, strlen(TEXT), NULL, 0, &status);
-    CHECK(*from != NULL);
+    *from = case_of(TEXT, NULL);
     CHECK(clod_setup_state(*from, 1, state, &status));
     assert_int_equal(state->grains.count, 0);
 }
@@ -134,10 +134,9 @@ static void grains_come_whole_before_a_face(void **unused)
                  "     region: %s}\n"
                  "stages: [{name: run, duration: 1 s}]\n",
                  FACES[face]);
-        clod_case *from = clod_case_parse("case.yaml", text, strlen(text), NULL, 0, &status);
+        clod_case *from = case_of(text, NULL);
         clod_state state;
         clod_inlets inlets;
-        CHECK(from != NULL);
         CHECK(clod_setup_state(from, 1, &state, &status));
         begin(&inlets, from, &state);
         inlets.next = state.step = 400; // 20 grains are due

@@ -11,7 +11,7 @@
 #include "clod/locus.h"
 #include "sim/ring_report.h"
 #include "sim/uniaxial_report.h"
-#include "support/check.h"
+#include "support/case_of.h"
 #include "tester/uniaxial.h"
 
 #define HEAD                                                                                   \
@@ -55,10 +55,7 @@ static void begin(bench *self, const char *text)
     *self = (bench){.options = {.notice = note, .context = self}};
     snprintf(self->folder, sizeof self->folder, P_tmpdir "/clod-reports-XXXXXX");
     assert_non_null(mkdtemp(self->folder));
-    self->from = clod_case_parse("case.yaml", text, strlen(text), NULL, 0, &status);
-    if (self->from == NULL) {
-        fail_msg("%s", status.text);
-    }
+    self->from = case_of(text, NULL);
     self->open = clod_folder_open(self->folder, &status);
     if (self->open == NULL) {
         fail_msg("%s", status.text);

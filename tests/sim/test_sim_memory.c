@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "output/temp_folder.h"
+#include "support/case_of.h"
 #include "support/sanitized.h"
 #include "support/sim_made.h"
 
@@ -313,8 +314,7 @@ static void live_often(int wanted, long stride)
 {
     bool dead;
     threads = wanted;
-    from = clod_case_parse("case.yaml", CASE, strlen(CASE), NULL, 0, &status);
-    CHECK(from != NULL);
+    from = case_of(CASE, NULL);
     const uint64_t whole = live(0, &dead);
     const long count = atomic_load(&calls);
     long deaths = 0, lives = 0;

@@ -1,6 +1,7 @@
 // What the contacts of a step remember, as forces: against the closed forms of the pair's law,
 // in beds of three materials and six laws, with walls.
 
+#include "state/contact_walk.h"
 #include "support/bed.h"
 
 /** Pull-off force of the clamp, k_adh x at the overlap where P meets the upper bound. */
@@ -31,20 +32,17 @@ static void strength_is_that_of_the_law(void **state)
     for (int kind = 0; kind < BED_KINDS; kind++) {
         scene s;
         clod_step_reader reader;
-        clod_contact some[64];
         bed_init(&s, (bed_kind)kind, 3);
         scene_start(&s);
         scene_run(&s, 3000);
         const clod_contact_source from = clod_step_contacts(&s.step, &reader);
-        size_t between, with_walls, count;
-        from.begin(from.context, &between, &with_walls);
-        do {
-            count = from.next(from.context, some, 64);
-            for (size_t k = 0; k < count; k++) {
-                check_contact(&s, &some[k], from.strength(from.laws, &some[k]),
-                              some[k].shape < 0 ? &pairs : &walls);
-            }
-        } while (count == 64);
+        const clod_contact *contact;
+        clod_contact_walk walk;
+        clod_contact_walk_begin(&walk, &from);
+        while ((contact = clod_contact_walk_next(&walk)) != NULL) {
+            check_contact(&s, contact, from.strength(from.laws, contact),
+                          contact->shape < 0 ? &pairs : &walls);
+        }
         scene_end(&s);
     }
     assert_true(pairs > 50 && walls > 10); // that pull

@@ -14,12 +14,7 @@ enum { GRAINS = 400, AROUND = 24, SIDE = 5 };
 /** A surface of what is made. */
 static clod_surface *surface_of(maker *made)
 {
-    clod_status status = {0};
-    clod_mesh *mesh = maker_read(made, &METRES);
-    clod_surface *surface = clod_surface_make(mesh, NULL, 0.35, &status);
-    assert_non_null(surface);
-    clod_mesh_destroy(&mesh);
-    return surface;
+    return maker_surface(made, 0.35);
 }
 
 static void put(maker *made, const float p[4][3])

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "state/wear.h"
+#include "step/kernel_rub.h"
 #include "support/bed.h"
 
 #define R 3e-3
@@ -101,13 +102,13 @@ static void finnies_function(void **state)
 {
     (void)state;
     const double ten = M_PI / 18.0;
-    check_close(clod_wear_finnie(sin(ten), cos(ten)),
+    check_close(kernel_rub_finnie(sin(ten), cos(ten)),
                 sin(2.0 * ten) - 3.0 * sin(ten) * sin(ten), 1e-15);
-    check_close(clod_wear_finnie(0.5, sqrt(0.75)), 0.25, 1e-15);
-    check_close(clod_wear_finnie(1.0, 0.0), 0.0, 0.0);
-    check_close(clod_wear_finnie(0.0, 1.0), 0.0, 0.0);
-    check_close(clod_wear_finnie(1.0 - 1e-12, 3.0), 0.3, 1e-11);
-    check_close(clod_wear_finnie(1.0 + 1e-12, 3.0), 0.3, 1e-11);
+    check_close(kernel_rub_finnie(0.5, sqrt(0.75)), 0.25, 1e-15);
+    check_close(kernel_rub_finnie(1.0, 0.0), 0.0, 0.0);
+    check_close(kernel_rub_finnie(0.0, 1.0), 0.0, 0.0);
+    check_close(kernel_rub_finnie(1.0 - 1e-12, 3.0), 0.3, 1e-11);
+    check_close(kernel_rub_finnie(1.0 + 1e-12, 3.0), 0.3, 1e-11);
 }
 
 /** Two shapes are two surfaces; what they feel together is what the wall feels. */

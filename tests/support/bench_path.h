@@ -15,6 +15,7 @@
 
 #include <cmocka.h>
 
+#include "support/case_of.h"
 #include "tester/contact_bench.h"
 
 #define ROWS 4096
@@ -39,7 +40,6 @@ static inline clod_case *parse_changed(const char *contact, const char *bench,
                                        const char *change)
 {
     char text[4096];
-    clod_status status = {CLOD_OK, ""};
     const int length = snprintf(text, sizeof text,
                                 "materials:\n"
                                 "  ore: {density: 2481.3 kg/m3, youngs_modulus: 119 GPa,"
@@ -52,12 +52,7 @@ static inline clod_case *parse_changed(const char *contact, const char *bench,
                                 "%s",
                                 contact, bench);
     assert_in_range(length, 1, sizeof text - 1);
-    clod_case *from =
-        clod_case_parse("bench.yaml", text, (size_t)length, &change, change != NULL, &status);
-    if (from == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return from;
+    return case_of(text, change);
 }
 
 static inline clod_case *parse(const char *contact, const char *bench)

@@ -1,26 +1,14 @@
 #pragma once
 /**
  * @file cell.h
- * What the tests of all testers' cells share: a case with a change, and grains by brute force.
+ * What the tests of all testers' cells share: cases, and grains by brute force.
  */
 
 #include <string.h>
 
 #include "geometry/wall_gap.h"
 #include "state/state.h"
-#include "support/check.h"
-
-/** The case of a text, with one change or NULL. */
-static inline clod_case *cell_load(const char *text, const char *change)
-{
-    clod_status status = {0};
-    clod_case *from = clod_case_parse("cell.yaml", text, strlen(text), &change,
-                                      change != NULL ? 1 : 0, &status);
-    if (from == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return from;
-}
+#include "support/case_of.h"
 
 static inline void cell_end(clod_case *from, clod_state *state)
 {

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "clod/check.h"
-#include "support/check.h"
+#include "support/case_of.h"
 
 static clod_case *preflight_case; ///< the report borrows from it
 static clod_check_report report;
@@ -18,10 +18,8 @@ static inline void preflight(const char *text, const char *change)
     clod_status status = {CLOD_OK, ""};
     const clod_check_options options = {.threads = 1, .directory = "."};
     clod_case_destroy(&preflight_case);
-    preflight_case =
-        clod_case_parse("case.yaml", text, strlen(text), &change, change != NULL, &status);
-    if (preflight_case == NULL ||
-        !clod_check_report_make(preflight_case, &options, &report, &status)) {
+    preflight_case = case_of(text, change);
+    if (!clod_check_report_make(preflight_case, &options, &report, &status)) {
         fail_msg("%s", status.text);
     }
 }

@@ -7,7 +7,7 @@
 #include "law/law.h"
 #include "setup/jenike_cell.h"
 #include "step/step.h"
-#include "support/check.h"
+#include "support/case_of.h"
 #include "tester/ring_shear.h"
 
 // Soft grains without adhesion that do not roll on the floor: they slide on it, as a block,
@@ -57,10 +57,7 @@ static void begin(bed *self, double base_height, double offset)
 {
     clod_status status = {0};
     const clod_step_options how = {.threads = 1};
-    self->from = clod_case_parse("cell.yaml", CASE, strlen(CASE), NULL, 0, &status);
-    if (self->from == NULL) {
-        fail_msg("%s", status.text);
-    }
+    self->from = case_of(CASE, NULL);
     self->from->jenike.base_height = base_height;
     self->from->jenike.offset = offset;
     if (!clod_setup_jenike_cell(self->from, 1, &self->state, &status) ||
