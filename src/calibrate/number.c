@@ -9,8 +9,11 @@
 const clod_number *clod_number_find(const clod_case *from, const char *key)
 {
     const clod_test_kind *kind = clod_test_kinds_of(from);
+    if (kind->paths) {
+        return clod_number_path_find(from, key);
+    }
     for (size_t k = 0; k < kind->number_count; k++) {
-        if (kind->paths || strcmp(kind->numbers[k].key, key) == 0) {
+        if (strcmp(kind->numbers[k].key, key) == 0) {
             return &kind->numbers[k];
         }
     }
@@ -20,6 +23,9 @@ const clod_number *clod_number_find(const clod_case *from, const char *key)
 const char *clod_number_hint(const clod_case *from, const char *key, char *buffer, size_t size)
 {
     const clod_test_kind *kind = clod_test_kinds_of(from);
+    if (kind->paths) {
+        return clod_number_path_hint(from, key, buffer, size);
+    }
     clod_suggest near = clod_suggest_start(key);
     for (size_t k = 0; k < kind->number_count; k++) {
         clod_suggest_offer(&near, kind->numbers[k].key);

@@ -33,18 +33,26 @@ typedef struct clod_number {
 #define CLOD_NUMBER_DENSITY "kg/m3", {"kg/m3", 1.0, 0}, 10.0, 15000.0
 #define CLOD_NUMBER_RATIO "1", {"", 1.0, 2}, 0.0, 1000.0
 
-// Numbers of each kind of test: number_shear.c, number_summary.c.
+// Numbers of each kind of test: number_shear.c, number_summary.c, number_path.c.
 #define CLOD_NUMBERS_SHEAR_COUNT 11
 #define CLOD_NUMBERS_UNIAXIAL_COUNT 3
 #define CLOD_NUMBERS_WALL_COUNT 4
+#define CLOD_NUMBERS_PATH_COUNT 14
 extern const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT];
 extern const clod_number CLOD_NUMBERS_UNIAXIAL[CLOD_NUMBERS_UNIAXIAL_COUNT];
 extern const clod_number CLOD_NUMBERS_WALL[CLOD_NUMBERS_WALL_COUNT];
-extern const clod_number CLOD_NUMBER_PATH; ///< of any path in the summary of a free run
+/** Of paths in the summary of a free run, whose key is how the name of the number ends. */
+extern const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT];
+
+/** Whether it is one of a path: a value without a unit has that of the name. */
+bool clod_number_is_path(const clod_number *self);
 
 /** The kind of a number of such a test; NULL: there is none. Of a free run every path of its summary is
- *  one. */
+ *  one that begins with a name that the summary of such a case has. */
 const clod_number *clod_number_find(const clod_case *from, const char *key);
+
+/** The same of a path (number_path.c). */
+const clod_number *clod_number_path_find(const clod_case *from, const char *path);
 
 /** "; did you mean phi_e?" or "; it has phi_lin, ...": after an unknown number. */
 const char *clod_number_hint(const clod_case *from, const char *key, char *buffer, size_t size);
@@ -58,6 +66,15 @@ const char *clod_number_hint(const clod_case *from, const char *key, char *buffe
  */
 bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, double *values,
                       clod_status *status);
+
+/** The same of a path (number_path.c): the names that the summary has. */
+const char *clod_number_path_hint(const clod_case *from, const char *path, char *buffer,
+                                  size_t size);
+
+/** A number of a path, SI; NAN where the run defines none. Errors  see clod_number_read (number_path.c). */
+bool clod_number_path_read(const json_t *summary, const clod_number *self,
+                           const clod_plan_target *target, const char *folder, double *value,
+                           clod_status *status);
 
 /** The same of a shear test, from its points (number_shear.c). */
 bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *folder,

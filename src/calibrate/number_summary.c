@@ -1,16 +1,12 @@
 /**
  * @file number_summary.c
- * Numbers of a uniaxial test, a wall friction test or a free run: of its summary.
+ * Numbers of a uniaxial or a wall friction test: of its summary; and all numbers that are read there.
  */
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "base/json.h"
 #include "calibrate/number.h"
-#include "config/suggest.h"
 
 /** A number of the row with the target's stress, in a list of rows. The stress is the one that was asked
  *  for, as in the plan: what reaches the grains depends on the packing. */
@@ -99,66 +95,6 @@ const clod_number CLOD_NUMBERS_WALL[CLOD_NUMBERS_WALL_COUNT] = {
     {"rho_b", CLOD_NUMBER_DENSITY, true, "bulk_density_kg_m3", of_parts},
 };
 
-// ---- free runs
-
-const clod_number CLOD_NUMBER_PATH = {
-    "", "1", {"", 1.0, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, NULL, NULL};
-
-/** The item of a list or object by the first `length` bytes of a key. */
-static json_t *step_into(const json_t *from, const char *key, size_t length)
-{
-    char word[CLOD_PLAN_NAME];
-    snprintf(word, sizeof word, "%.*s", (int)length, key);
-    if (json_is_array(from)) {
-        char *end;
-        const size_t index = strtoul(word, &end, 10);
-        return *end == '\0' && end != word ? json_array_get(from, index) : NULL;
-    }
-    return json_object_get(from, word);
-}
-
-/** Say that a summary has no such number, with the key nearest to the step that is missing. */
-static bool unknown(const clod_plan_target *target, const json_t *from, const char *step,
-                    const char *folder, clod_status *status)
-{
-    char word[CLOD_PLAN_NAME];
-    char hint[160];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(step, "."), step);
-    clod_suggest near = clod_suggest_start(word);
-    const char *key;
-    json_t *item;
-    json_object_foreach((json_t *)from, key, item)
-    {
-        clod_suggest_offer(&near, key);
-    }
-    return clod_status_fail(
-        status, CLOD_USAGE,
-        "%s/summary.json has no number %s: nothing is called \"%s\" there%s", folder,
-        target->number, word, clod_suggest_text(&near, hint, sizeof hint));
-}
-
-/** A number by its path. */
-static bool of_path(const json_t *summary, const clod_plan_target *target, const char *folder,
-                    double *value, clod_status *status)
-{
-    const json_t *at = summary;
-    for (const char *step = target->number; *step != '\0';) {
-        const size_t length = strcspn(step, ".");
-        const json_t *next = step_into(at, step, length);
-        if (next == NULL) {
-            return unknown(target, at, step, folder, status);
-        }
-        at = next;
-        step += length + (step[length] == '.' ? 1 : 0);
-    }
-    if (!json_is_number(at) && !json_is_null(at)) {
-        return clod_status_fail(status, CLOD_USAGE, "%s/summary.json: %s is no number", folder,
-                                target->number);
-    }
-    *value = json_is_number(at) ? json_number_value(at) : (double)NAN;
-    return true;
-}
-
 // ---- all of them
 
 bool clod_number_read_summary(const clod_plan *plan, size_t test, const char *folder,
@@ -175,7 +111,7 @@ bool clod_number_read_summary(const clod_plan *plan, size_t test, const char *fo
         if (kind->of != NULL) {
             values[t] = kind->of(summary, kind, target);
         } else {
-            good = of_path(summary, target, folder, &values[t], status);
+            good = clod_number_path_read(summary, kind, target, folder, &values[t], status);
         }
     }
     json_decref(summary);

@@ -54,8 +54,12 @@ static const clod_param WISH[] = {
         W, "number", number, CLOD_PARAM_OPTIONAL, "phi_e",
         "Which of its results: phi_lin, phi_e, phi_sf, c, tau_p, tau, sigma_1, sigma_2, sigma_c, "
         "ffc, rho_b of a shear test; sigma_c, ffc, rho_b of a uniaxial test; phi_x, phi_w, tau_ad, rho_b "
-        "of a wall friction test; a path in summary.json of a free run."),
-    TEXT_ROW(W, "value", value, CLOD_PARAM_OPTIONAL, "47.3 deg", "What was measured."),
+        "of a wall friction test; a path in summary.json of a free run, for instance "
+        "repose.heap.angle_deg."),
+    TEXT_ROW(
+        W, "value", value, CLOD_PARAM_OPTIONAL, "47.3 deg",
+        "What was measured, with its unit. Of a number of a free run the unit may be left out: "
+        "it is that of the name, deg for angle_deg."),
     TEXT_ROW(W, "error", error, CLOD_PARAM_OPTIONAL, "2 deg",
              "Its standard error; with locus that of each point, where the table has none."),
     TEXT_ROW(

@@ -33,6 +33,10 @@ static bool quantity(maker *self, const char *key, const char *text, const clod_
         clod_check_fail(self->loader, clod_plan_targets_at(self, key), "%s is no number", text);
         return false;
     }
+    if (unit[0] == '\0' && clod_number_is_path(kind)) {
+        *value /= kind->measure.factor; // in the unit of the name
+        return true;
+    }
     if (!clod_unit_convert(unit, kind->unit, value, message)) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, key), "%s: %s", text, message);
         return false;
@@ -178,7 +182,7 @@ static void make_number(maker *self, size_t test)
     }
     const clod_number *kind = clod_number_find(from, wish->number);
     if (kind == NULL) {
-        char hint[160];
+        char hint[500];
         clod_check_fail(self->loader, clod_plan_targets_at(self, "number"),
                         "test %s has no number %s%s", wish->test, wish->number,
                         clod_number_hint(from, wish->number, hint, sizeof hint));

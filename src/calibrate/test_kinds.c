@@ -70,8 +70,8 @@ static bool has_stress_wall(const clod_case *from, double stress)
     }
 
 static const clod_test_kind ROWS[CLOD_CASE_KINDS] = {
-    [CLOD_CASE_FREE] = {.numbers = &CLOD_NUMBER_PATH,
-                        .number_count = 1,
+    [CLOD_CASE_FREE] = {.numbers = CLOD_NUMBERS_PATH,
+                        .number_count = CLOD_NUMBERS_PATH_COUNT,
                         .paths = true,
                         .seeds = seeds_one,
                         .read = clod_number_read_summary},

@@ -11,7 +11,7 @@ struct clod_plan_table;
 typedef struct clod_test_kind {
     const clod_number *numbers; ///< [number_count]; NULL: it is no test
     size_t number_count;
-    bool paths; ///< a number may be any path of the summary; `numbers` has one row for all
+    bool paths; ///< a number may be any path of the summary; `numbers` has rows by how it ends
 
     /** Packings that a case asks for by itself. */
     int64_t (*seeds)(const clod_case *from);

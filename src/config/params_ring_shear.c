@@ -77,7 +77,7 @@ static const clod_param ROWS[] = {
         "docs/theory/ring-shear.md", CLOD_ABOVE(0, 1)),
     CLOD_PROGRAMME_STEADY(R),
     CLOD_PROGRAMME_PRESHEAR(R, "12 mm", "25 mm",
-                            "In a ring of this size a laboratory shears some 12 to 25 mm."),
+                            "Its length is our choice; no source gives one for a ring."),
     CLOD_PROGRAMME_WAYS(R, "15 mm", "2 mm", "1 mm",
                         "A cell of some thousand grains slips and sticks over 0.5 to 2 mm."),
     CLOD_PROGRAMME_SEEDS(R),

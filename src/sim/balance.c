@@ -301,9 +301,6 @@ static json_t *balance_json(const void *memory, const clod_free_moment *now)
 {
     const clod_balance *self = memory;
     const clod_case *from = now->from;
-    if (!is_open(from)) {
-        return NULL;
-    }
     const clod_balance_count count = since(&self->start, self->row);
     json_t *exits = json_object();
     char key[64];
@@ -340,4 +337,5 @@ const clod_free_measure CLOD_MEASURE_BALANCE = {.key = "balance",
                                                 .column = balance_column,
                                                 .row = balance_row,
                                                 .report = balance_report,
+                                                .told = is_open,
                                                 .json = balance_json};

@@ -267,12 +267,14 @@ static void belts_report(FILE *out, const void *memory, const clod_free_moment *
     }
 }
 
+static bool belts_told(const clod_case *from)
+{
+    return count_of(from) > 0;
+}
+
 static json_t *belts_json(const void *memory, const clod_free_moment *now)
 {
     const belts *self = memory;
-    if (count_of(now->from) == 0) {
-        return NULL;
-    }
     json_t *all = json_object();
     for (size_t k = 0; k < count_of(now->from); k++) {
         const belt_memory *mine = &self->belt[k];
@@ -301,4 +303,5 @@ const clod_free_measure CLOD_MEASURE_BELT_LOADS = {.key = "belts",
                                                    .row = belts_row,
                                                    .sums_end = belts_sums_end,
                                                    .report = belts_report,
+                                                   .told = belts_told,
                                                    .json = belts_json};

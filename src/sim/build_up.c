@@ -360,11 +360,13 @@ static void put_object(void *context, size_t number, const target *of, const clo
                                   "largest_at_s", mass->most_time));
 }
 
+static bool build_up_told(const clod_case *from)
+{
+    return from->build_up.present;
+}
+
 static json_t *build_up_json(const void *memory, const clod_free_moment *now)
 {
-    if (!now->from->build_up.present) {
-        return NULL;
-    }
     json_t *all = json_object();
     visit_targets(now->from, now->state, put_object,
                   &(json_pen){all, memory, now->steady.since});
@@ -380,4 +382,5 @@ const clod_free_measure CLOD_MEASURE_BUILD_UP = {.key = "build_up",
                                                  .column = build_up_column,
                                                  .row = build_up_row,
                                                  .report = build_up_report,
+                                                 .told = build_up_told,
                                                  .json = build_up_json};

@@ -117,6 +117,11 @@ static bool clumps_picture(void *memory, const clod_free_moment *now, const clod
            clod_clumps_look_at(&look, now->survey, &seen, status);
 }
 
+static bool clumps_told(const clod_case *from)
+{
+    return from->clumps.present;
+}
+
 const clod_free_measure CLOD_MEASURE_CLUMPS = {.key = "clumps",
                                                .size = clumps_size,
                                                .begin = clumps_begin,
@@ -127,5 +132,6 @@ const clod_free_measure CLOD_MEASURE_CLUMPS = {.key = "clumps",
                                                .column = clod_clumps_report_column,
                                                .row = clod_clumps_report_row,
                                                .report = clod_clumps_report_lines,
+                                               .told = clumps_told,
                                                .json = clod_clumps_report_json,
                                                .write = clod_clumps_report_files};

@@ -213,9 +213,6 @@ static json_t *left_json(const clod_exchange *gone)
 json_t *clod_clumps_report_json(const void *memory, const clod_free_moment *now)
 {
     const clod_clump_memory *self = memory;
-    if (counts_of(now->from) == 0) {
-        return NULL;
-    }
     json_t *all = count_json(self, &self->count[0]);
     json_object_set_new(all, "since_s", json_real(now->steady.since));
     json_t *counts = json_object();

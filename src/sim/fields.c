@@ -203,6 +203,11 @@ static void fields_row(void *memory, const clod_free_moment *now, double *row)
     }
 }
 
+static bool fields_told(const clod_case *from)
+{
+    return from->field_count > 0;
+}
+
 const clod_free_measure CLOD_MEASURE_FIELDS = {.key = "fields",
                                                .size = fields_size,
                                                .begin = fields_begin,
@@ -214,5 +219,6 @@ const clod_free_measure CLOD_MEASURE_FIELDS = {.key = "fields",
                                                .row = fields_row,
                                                .picture = clod_fields_picture,
                                                .report = clod_fields_report,
+                                               .told = fields_told,
                                                .json = clod_fields_json,
                                                .write = clod_fields_write};

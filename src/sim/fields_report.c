@@ -123,9 +123,6 @@ void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *n
 
 json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
 {
-    if (now->from->field_count == 0) {
-        return NULL;
-    }
     json_t *all = json_object();
     for (size_t k = 0; k < now->from->field_count; k++) {
         const clod_case_field *asked = &now->from->fields[k];

@@ -236,10 +236,28 @@ void clod_free_measures_report(FILE *out, const void *memory, const clod_free_mo
     }
 }
 
+static bool is_told(int k, const clod_case *from)
+{
+    return MEASURES[k]->json != NULL && (MEASURES[k]->told == NULL || MEASURES[k]->told(from));
+}
+
+size_t clod_free_measures_sections(const clod_case *from,
+                                   const char *keys[CLOD_FREE_MEASURES_MOST])
+{
+    _Static_assert(COUNT <= CLOD_FREE_MEASURES_MOST, "room for all");
+    size_t count = 0;
+    for (int k = 0; k < COUNT; k++) {
+        if (is_told(k, from)) {
+            keys[count++] = MEASURES[k]->key;
+        }
+    }
+    return count;
+}
+
 void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now)
 {
     for (int k = 0; k < COUNT; k++) {
-        json_t *told = MEASURES[k]->json != NULL
+        json_t *told = is_told(k, now->from)
                            ? MEASURES[k]->json(memory_of(memory, now->from, k), now)
                            : NULL;
         if (told != NULL) {

@@ -79,7 +79,9 @@ typedef struct clod_free_measure {
     void (*sums_end)(void *memory, const clod_free_moment *now);
     /** Lines for people at the end. */
     void (*report)(FILE *out, const void *memory, const clod_free_moment *now);
-    /** The same for programs: a new object or array; NULL when there is nothing to tell. */
+    /** Whether summary.json of a run of this case has its object; NULL: always. */
+    bool (*told)(const clod_case *from);
+    /** The same as the report for programs, where it is told: a new object or array; NULL when there is nothing yet. */
     json_t *(*json)(const void *memory, const clod_free_moment *now);
     /** Files of its own at the end; their names stand in output/folder_names.c. */
     bool (*write)(const clod_folder *folder, const void *memory, const clod_free_moment *now,
@@ -137,6 +139,12 @@ void clod_free_measures_row(void *memory, const clod_free_moment *now, double *r
 void clod_free_measures_sums_end(void *memory, const clod_free_moment *now);
 
 void clod_free_measures_report(FILE *out, const void *memory, const clod_free_moment *now);
+
+#define CLOD_FREE_MEASURES_MOST 16
+
+/** Keys of the objects that the summary of a run of this case has; borrowed. Returns their number. Threads: pure. */
+size_t clod_free_measures_sections(const clod_case *from,
+                                   const char *keys[CLOD_FREE_MEASURES_MOST]);
 
 /** Put each measure's object into the summary under its key. */
 void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now);

@@ -243,6 +243,11 @@ static void gauges_row(void *memory, const clod_free_moment *now, double *row)
     }
 }
 
+static bool gauges_told(const clod_case *from)
+{
+    return from->gauge_count > 0;
+}
+
 const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
                                                .size = gauges_size,
                                                .begin = gauges_begin,
@@ -256,5 +261,6 @@ const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
                                                .row = gauges_row,
                                                .sums_end = gauges_sums_end,
                                                .report = clod_gauges_report,
+                                               .told = gauges_told,
                                                .json = clod_gauges_json,
                                                .write = clod_gauges_write};

@@ -266,9 +266,6 @@ json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
 {
     const clod_gauges *all = memory;
     const clod_case *from = now->from;
-    if (from->gauge_count == 0) {
-        return NULL;
-    }
     json_t *object = json_object();
     for (size_t k = 0; k < from->gauge_count; k++) {
         const clod_case_gauge *mine = &from->gauges[k];

@@ -107,12 +107,14 @@ static void map_report(FILE *out, const void *memory, const clod_free_moment *no
     fputs(" (history_map.hdf)\n", out);
 }
 
+static bool map_told(const clod_case *from)
+{
+    return from->history_map.present;
+}
+
 static json_t *map_json(const void *memory, const clod_free_moment *now)
 {
     const history_map *self = memory;
-    if (!now->from->history_map.present) {
-        return NULL;
-    }
     const clod_strength_grid grid = grid_of(now->from);
     const clod_strength_cell *best = strongest(self, &grid);
     json_t *object = json_pack("{s:f, s:I, s:I, s:I, s:f}", "since_s", now->steady.since,
@@ -210,5 +212,6 @@ const clod_free_measure CLOD_MEASURE_HISTORY_MAP = {.key = "history_map",
                                                     .size = map_size,
                                                     .look = map_look,
                                                     .report = map_report,
+                                                    .told = map_told,
                                                     .json = map_json,
                                                     .write = map_files};

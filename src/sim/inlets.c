@@ -197,14 +197,16 @@ static void inlets_report(FILE *out, const void *memory, const clod_free_moment 
     }
 }
 
+static bool inlets_told(const clod_case *from)
+{
+    return clod_setup_grains_coming(from) > 0;
+}
+
 static json_t *inlets_json(const void *memory, const clod_free_moment *now)
 {
     const clod_inlets *self = memory;
     const clod_case *from = now->from;
     const double dt = now->state->dt;
-    if (clod_setup_grains_coming(from) == 0) {
-        return NULL;
-    }
     json_t *list = json_array();
     size_t number = 0;
     for (size_t k = 0; k < from->grains_count; k++) {
@@ -238,4 +240,5 @@ const clod_free_measure CLOD_MEASURE_INLETS = {.key = "inlets",
                                                .column = inlets_column,
                                                .row = inlets_row,
                                                .report = inlets_report,
+                                               .told = inlets_told,
                                                .json = inlets_json};

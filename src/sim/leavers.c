@@ -106,12 +106,14 @@ static json_t *exit_json(const clod_exchange *gone, size_t exit)
                      gone->left_mass[exit], "kinetic_energy_J", gone->left_energy[exit]);
 }
 
+static bool side_told(const clod_case *from)
+{
+    return from->open == CLOD_OPEN_DELETE;
+}
+
 static json_t *side_json(const void *memory, const clod_free_moment *now)
 {
     (void)memory;
-    if (now->from->open != CLOD_OPEN_DELETE) {
-        return NULL;
-    }
     json_t *sides = json_object();
     for (int f = 0; f < CLOD_FACES; f++) {
         if (is_open(now->from, f)) {
@@ -127,6 +129,7 @@ const clod_free_measure CLOD_MEASURE_LEAVERS = {.key = "left",
                                                 .column = side_column,
                                                 .row = side_row,
                                                 .report = side_report,
+                                                .told = side_told,
                                                 .json = side_json};
 
 static size_t outlet_columns(const clod_case *from, const clod_state *state)
@@ -163,12 +166,14 @@ static void outlet_report(FILE *out, const void *memory, const clod_free_moment 
     }
 }
 
+static bool outlet_told(const clod_case *from)
+{
+    return from->outlet_count > 0;
+}
+
 static json_t *outlet_json(const void *memory, const clod_free_moment *now)
 {
     (void)memory;
-    if (now->from->outlet_count == 0) {
-        return NULL;
-    }
     json_t *all = json_object();
     for (size_t k = 0; k < now->from->outlet_count; k++) {
         json_object_set_new(all, now->from->outlets[k].name,
@@ -182,4 +187,5 @@ const clod_free_measure CLOD_MEASURE_OUTLETS = {.key = "outlets",
                                                 .column = outlet_column,
                                                 .row = outlet_row,
                                                 .report = outlet_report,
+                                                .told = outlet_told,
                                                 .json = outlet_json};

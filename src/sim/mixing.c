@@ -164,10 +164,15 @@ static void mixing_report(FILE *out, const void *memory, const clod_free_moment 
     }
 }
 
+static bool mixing_told(const clod_case *from)
+{
+    return from->mixing_count > 0;
+}
+
 static json_t *mixing_json(const void *memory, const clod_free_moment *now)
 {
     const mixing_memory *self = memory;
-    json_t *all = now->from->mixing_count > 0 ? json_object() : NULL;
+    json_t *all = json_object();
     for (size_t k = 0; k < now->from->mixing_count; k++) {
         const clod_mixing *of = &self[k].now;
         double mean, deviation;
@@ -192,4 +197,5 @@ const clod_free_measure CLOD_MEASURE_MIXING = {.key = "mixing",
                                                .column = mixing_column,
                                                .row = mixing_row,
                                                .report = mixing_report,
+                                               .told = mixing_told,
                                                .json = mixing_json};

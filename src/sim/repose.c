@@ -102,10 +102,15 @@ static void repose_report(FILE *out, const void *memory, const clod_free_moment 
     }
 }
 
+static bool repose_told(const clod_case *from)
+{
+    return from->repose_count > 0;
+}
+
 static json_t *repose_json(const void *memory, const clod_free_moment *now)
 {
     const repose_memory *self = memory;
-    json_t *all = now->from->repose_count > 0 ? json_object() : NULL;
+    json_t *all = json_object();
     for (size_t k = 0; k < now->from->repose_count; k++) {
         const clod_repose_angle *of = &self[k].now;
         double mean, deviation;
@@ -129,4 +134,5 @@ const clod_free_measure CLOD_MEASURE_REPOSE = {.key = "repose",
                                                .column = repose_column,
                                                .row = repose_row,
                                                .report = repose_report,
+                                               .told = repose_told,
                                                .json = repose_json};

@@ -48,6 +48,12 @@ static void residence_report(FILE *out, const void *memory, const clod_free_mome
     }
 }
 
+/** Of the first grain that has left on. */
+static bool residence_told(const clod_case *from)
+{
+    return from->open == CLOD_OPEN_DELETE || from->outlet_count > 0;
+}
+
 static json_t *residence_json(const void *memory, const clod_free_moment *now)
 {
     (void)memory;
@@ -111,5 +117,6 @@ static bool residence_write(const clod_folder *folder, const void *memory,
 
 const clod_free_measure CLOD_MEASURE_RESIDENCE = {.key = "residence",
                                                   .report = residence_report,
+                                                  .told = residence_told,
                                                   .json = residence_json,
                                                   .write = residence_write};

@@ -261,13 +261,15 @@ static json_t *face_json(const clod_wall *wall, int32_t number, const face *of, 
     return one;
 }
 
+static bool surfaces_told(const clod_case *from)
+{
+    return from->output.surfaces;
+}
+
 static json_t *surfaces_json(const void *memory, const clod_free_moment *now)
 {
     (void)memory;
     const clod_walls *walls = &now->state->walls;
-    if (!now->from->output.surfaces) {
-        return NULL;
-    }
     json_t *all = json_array();
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
@@ -289,5 +291,6 @@ const clod_free_measure CLOD_MEASURE_SURFACES = {.key = "surfaces",
                                                  .column = surfaces_column,
                                                  .row = surfaces_row,
                                                  .report = surfaces_report,
+                                                 .told = surfaces_told,
                                                  .json = surfaces_json,
                                                  .write = clod_surface_impacts_write};

@@ -1,0 +1,112 @@
+"""Angles of the study's packings beside those of the paper and the laboratory, and what chance would do."""
+
+import math
+
+import loci
+import settings
+
+PAPER = {"ore5": 44.6, "ore8": 44.8}  # deg, the paper's DEM
+LABORATORY = {"ore5": 47.3, "ore8": 46.7}  # deg, Jenike tester
+NEAR = 2.0  # deg
+READINGS = ("phi_lin", "phi_e", "phi_sf", "highest points")
+
+
+def normal(x):
+    """Distribution function of the standard normal distribution."""
+    return 0.5 * math.erfc(-x / math.sqrt(2.0))
+
+
+def share_near(low, high, target, near=NEAR):
+    """Share of the range [low, high] that lies within `near` of a target."""
+    inside = min(high, target + near) - max(low, target - near)
+    return max(inside, 0.0) / (high - low) if high > low else float(abs(low - target) <= near)
+
+
+def any_of(share, count):
+    """Probability that at least one of `count` independent readings is near, each with the probability `share`."""
+    return 1.0 - (1.0 - share) ** count
+
+
+def chance_near(value, error, target, near=NEAR):
+    """Probability that a normal quantity of this mean and standard error lies within `near` of a target."""
+    if math.isnan(error):
+        return math.nan
+    if error == 0.0:
+        return float(abs(value - target) <= near)
+    return normal((target + near - value) / error) - normal((target - near - value) / error)
+
+
+def readings_of(clod, folder, names):
+    """{reading: angles [deg] of the tests, without those that have none}."""
+    found = {reading: [] for reading in READINGS}
+    for name in names:
+        locus = loci.of_tests(clod, folder, [name])
+        for reading in READINGS[:3]:
+            angle = locus[f"{reading}_deg"]["value"]
+            found[reading] += [] if angle is None else [angle]
+        found[READINGS[3]].append(loci.angle_of_highest(folder, name))
+    return found
+
+
+def packings_of(clod, folder):
+    """{(choice, ore): readings} of all choices of which a test has ended."""
+    found = {}
+    for choice in ["", *settings.CHOICES]:
+        for ore in settings.CASES:
+            names = [settings.name_of(choice, seed, ore) for seed in settings.SEEDS]
+            names = [name for name in names if loci.has_ended(folder, name)]
+            if names:
+                found[choice, ore] = readings_of(clod, folder, names)
+    return found
+
+
+def probability(value):
+    return "-" if math.isnan(value) else f"{value:.3f}" if value >= 0.001 else "below 0.001"
+
+
+def print_near(found):
+    print("| setting | ore | reading | packings | angle [deg] | - paper | - laboratory | near the paper | "
+          "probability that its mean is |")
+    print("|---" * 9 + "|")
+    for (choice, ore), readings in found.items():
+        for reading, angles in readings.items():
+            if not angles:
+                continue
+            middle, error = loci.mean(angles), loci.error(angles)
+            near = abs(middle - PAPER[ore]) <= NEAR
+            print("| " + " | ".join([
+                choice or "the case", f"{ore[3:]} %", reading, str(len(angles)), loci.told(angles),
+                f"{middle - PAPER[ore]:+.1f}", f"{middle - LABORATORY[ore]:+.1f}", "yes" if near else "no",
+                probability(chance_near(middle, error, PAPER[ore]))]) + " |")
+
+
+def print_chance(found):
+    """How likely readings that mean nothing are near: independent, uniform over the span of the means of both ores."""
+    means = {ore: {(choice, reading): loci.mean(angles)
+                   for (choice, of), readings in found.items() if of == ore
+                   for reading, angles in readings.items() if angles} for ore in settings.CASES}
+    values = [angle for angles in means.values() for angle in angles.values()]
+    low, high = min(values), max(values)
+    shares = {ore: share_near(low, high, PAPER[ore]) for ore in means}
+    print(f"\nAll means span {low:.1f} to {high:.1f} degrees.\n")
+    print("| ore | readings N | nearest to the paper's [deg] | p: share of the span near it | 1 - (1 - p)^N |")
+    print("|---" * 5 + "|")
+    for ore, angles in means.items():
+        if angles:
+            nearest = min(angles, key=lambda key, a=angles, target=PAPER[ore]: abs(a[key] - target))
+            print(f"| {ore[3:]} % | {len(angles)} | {angles[nearest]:.1f}, {nearest[1]} of {nearest[0] or 'the case'} | "
+                  f"{shares[ore]:.3f} | {any_of(shares[ore], len(angles)):.3f} |")
+    both = [key for key in means["ore5"] if key in means["ore8"]]
+    near = [f"{key[1]} of {key[0] or 'the case'}" for key in both
+            if all(abs(means[ore][key] - PAPER[ore]) <= NEAR for ore in means)]
+    by_chance = any_of(math.prod(shares.values()), len(both))
+    print(f"\nNear both angles with the same reading of the same setting: {', '.join(near) or 'none'} of {len(both)}; at "
+          f"least one by chance in {by_chance:.3f} of cases.")
+
+
+def print_table(clod, folder):
+    """Which reading of which setting is within NEAR of the paper's angle."""
+    found = packings_of(clod, folder)
+    if found:
+        print_near(found)
+        print_chance(found)

@@ -1,0 +1,170 @@
+"""What cases/copper-ore-study/run makes of tests: settings by name, angles and chances worked out by hand."""
+
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "support"))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "cases", "copper-ore-study"))
+import clod as program  # noqa: E402  runs the command line
+import closing  # noqa: E402
+import loci  # noqa: E402
+import settings  # noqa: E402
+
+TOOL = program.source("cases/copper-ore-study/run")
+STRESSES = (10.96e3, 21.92e3, 32.88e3, 43.84e3)  # Pa
+NORMAL = 54.8e3
+TAU = 35e3
+NOISE = 500.0  # Pa: by so much the highest row of a point lies above its smoothed peak
+
+
+def write_test(folder, name, degrees):
+    """A test whose points lie on 8 kPa + sigma tan(degrees), and the highest rows 500 Pa above."""
+    path = os.path.join(folder, name)
+    os.makedirs(path)
+    slope, seed = math.tan(math.radians(degrees)), name[-1] if name[-1].isdigit() else 1
+    with open(os.path.join(path, "points.csv"), "w") as file:
+        file.write("seed,sigma_pre [Pa],tau_pre [Pa],sigma_sh [Pa],tau_sh [Pa],rho_b [kg/m3]\n")
+        for stress in STRESSES:
+            file.write(f"{seed},{NORMAL},{TAU},{stress},{8e3 + stress * slope},1200\n")
+    for number, stress in enumerate(STRESSES, 1):
+        tau = 8e3 + stress * slope
+        write_series(path, f"point-{number}", 6, [(0.0, 0.0), (1e-3, tau), (2e-3, tau + NOISE), (3e-3, tau - NOISE)])
+    write_series(path, "preshear", 3, [(1e-3 * mm, TAU * mm / 15) for mm in range(16)])
+    with open(os.path.join(path, "summary.json"), "w") as file:
+        json.dump({"parts": [{"part": "preshear", "normal_stress_Pa": NORMAL, "steady": True, "wall_clock_s": 60}]}, file)
+
+
+def write_series(path, part, phase, rows):
+    with open(os.path.join(path, part + ".csv"), "w") as file:
+        file.write("phase [1],displacement [m],shear_stress [Pa]\n")
+        file.writelines(f"{phase},{way},{stress}\n" for way, stress in rows)
+
+
+class Settings(unittest.TestCase):
+
+    def test_the_matrix_is_that_of_the_issue(self):
+        """{paper, force, adhesive} x {5 %, 8 %} x {epsd2, none} and k_t read literally, six packings each."""
+        wanted = set()
+        for ore in ("ore5", "ore8"):
+            for choice in ("force", "adhesive", "no-rolling-resistance", "force-no-rolling-resistance",
+                           "adhesive-no-rolling-resistance", "tangential-literal"):
+                wanted |= {f"{ore}-{choice}"} | {f"{ore}-{choice}-seed{seed}" for seed in range(2, 7)}
+            wanted |= {f"{ore}-seed{seed}" for seed in range(1, 7)}
+        self.assertEqual(len(wanted), 2 * 7 * 6)
+        self.assertEqual(sorted(settings.SETS["matrix"]), sorted(wanted))
+        self.assertLessEqual(wanted | set(settings.SETS["ways"]), settings.TESTS.keys())
+
+    def test_a_name_changes_the_keys_that_it_tells(self):
+        case, changes = settings.TESTS["ore8-adhesive-no-rolling-resistance-seed3"]
+        self.assertEqual(case, "cases/copper-ore-8/case.yaml")
+        self.assertEqual(sorted(changes), ["contacts.default.coulomb=adhesive",
+                                           "contacts.default.rolling_friction=0", "seed=3"])
+        softer = dict(key.split("=") for key in settings.TESTS["ore8-stiffness-10"][1])  # Table 1 over ten
+        self.assertEqual({key[17:]: float(value.split()[0]) for key, value in softer.items()},
+                         {"k1": 4.75e7, "k2": 2.37e8, "k_adh": 5.93e7})
+
+    def test_clod_accepts_them(self):
+        for name in ("ore8-preshear-over-5-mm", "ore5-preshear-over-40-mm-seed2", "ore8-force-no-rolling-resistance",
+                     "ore8-speed-3"):
+            case, changes = settings.TESTS[name]
+            command = ["check", program.source(case)]
+            for change in changes:
+                command += ["--set", change]
+            done = program.run(*command)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_sets_and_wrong_names(self):
+        done = subprocess.run([TOOL, "--list", "ways"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(done.stdout.splitlines()), 4 * 2 * 6)
+        self.assertIn("ore8-preshear-over-20-mm-seed6 cases/copper-ore-8/case.yaml --set "
+                      "'ring_shear.preshear_min=20 mm' --set 'ring_shear.preshear_max=20 mm'", done.stdout)
+        done = subprocess.run([TOOL, "ore6-seed1"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no test called ore6-seed1; there are matrix, ways, ore5-seed1", done.stderr)
+
+
+class Chance(unittest.TestCase):
+
+    def test_share_of_a_range_near_a_target(self):
+        self.assertAlmostEqual(closing.share_near(20, 60, 40), 4 / 40)
+        self.assertAlmostEqual(closing.share_near(20, 60, 59), 3 / 40)  # cut at the end of the range
+        self.assertAlmostEqual(closing.share_near(20, 60, 61), 1 / 40)
+        self.assertEqual(closing.share_near(20, 40, 44.8), 0.0)
+        self.assertEqual(closing.share_near(43, 43, 44.8), 1.0)  # one reading, whatever its range
+        self.assertEqual(closing.share_near(42, 42, 44.8), 0.0)
+
+    def test_one_of_several(self):
+        self.assertEqual(closing.any_of(0.25, 1), 0.25)
+        self.assertAlmostEqual(closing.any_of(0.1, 4), 1 - 0.6561)
+        self.assertEqual(closing.any_of(0.0, 9), 0.0)
+
+    def test_it_is_what_random_readings_do(self):
+        """20 000 drawings of five readings, of which the nearest to 59 counts: 0.323, the share of drawings +- 0.0033."""
+        draw, trials = random.Random(5), 20000
+        near = sum(min(abs(draw.uniform(20, 60) - 59) for _ in range(5)) <= 2 for _ in range(trials))
+        self.assertAlmostEqual(near / trials, closing.any_of(closing.share_near(20, 60, 59), 5), delta=4 * 0.0033)
+
+    def test_a_mean_with_an_error(self):
+        """Of the table of the normal distribution: 68.27 % lie within one standard deviation, half below the mean."""
+        self.assertAlmostEqual(closing.chance_near(44.6, 2.0, 44.6), 0.6827, places=4)
+        self.assertAlmostEqual(closing.chance_near(46.6, 0.2, 44.6), 0.5, places=9)
+        self.assertAlmostEqual(closing.chance_near(47.6, 1.0, 44.6), 0.1587, places=4)
+        self.assertEqual(closing.chance_near(46.0, 0.0, 44.6), 1.0)
+        self.assertTrue(math.isnan(closing.chance_near(44.6, math.nan, 44.6)))
+
+
+class Tables(unittest.TestCase):
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        for name, degrees in (("ore5-seed1", 30.0), ("ore5-seed2", 34.0), ("ore8-force", 44.0)):
+            write_test(self.folder, name, degrees)
+
+    def show(self, table):
+        done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", self.folder, "--" + table],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_mean_largest_over_a_window(self):
+        rows = [(0.0, 0.0), (1.0, 1.0), (2.0, 3.0), (3.0, 1.0)]  # a row is the mean since the row before
+        self.assertEqual(loci.largest_mean(rows, 1.0), 3.0)
+        self.assertEqual(loci.largest_mean(rows, 2.0), 2.0)
+        self.assertIsNone(loci.largest_mean(rows, 3.5))
+
+    def test_highest_points(self):
+        """All of them lie 500 Pa above the line: the same angle."""
+        self.assertAlmostEqual(loci.angle_of_highest(self.folder, "ore5-seed2"), 34.0, places=9)
+
+    def test_packings(self):
+        """Mean of 30 and 34 degrees 32, standard error of two 2; the paper's 44.6, the laboratory's 47.3."""
+        rows = [[cell.strip() for cell in row.strip("|").split("|")] for row in self.show("packings").splitlines()]
+        rows = [row for row in rows if row[0] == "5 %, 2 packings"]
+        self.assertEqual(len(rows), 2)
+        self.assertEqual(rows[0][1], "32.0 ± 2.0")
+        self.assertEqual([rows[1][1], rows[1][4]], ["-12.6 ± 2.0", "-15.3 ± 2.0"])
+
+    def test_closing(self):
+        text = self.show("closing")
+        self.assertIn("| the case | 5 % | phi_lin | 2 | 32.0 ± 2.0 | -12.6 | -15.3 | no | below 0.001 |", text)
+        self.assertIn("| the case | 5 % | highest points | 2 | 32.0 ± 2.0 |", text)
+        self.assertIn("| coulomb: force | 8 % | phi_lin | 1 | 44.0 | -0.8 | -2.7 | yes | - |", text)
+        self.assertIn("with the same reading of the same setting: none of 0;", text)
+
+    def test_phi_sf_on_the_way(self):
+        """tau is 35 kPa/15 mm; rows at 3 and 4 mm come before 5 mm: atan(3.5 * 35/15/54.8) = 8.47 degrees."""
+        self.assertIn("| 5 %, 2 packings | 8.5 ± 0.0 | 19.9 ± 0.0 |", self.show("ways"))
+
+
+if __name__ == "__main__":
+    unittest.main()
