@@ -422,6 +422,23 @@ class Hopper(clod.Case):
         self.refuse(tests, ['p.csv:2: column tau_pre: "" is empty; fill it in.'])
         self.assertNotIn("--tau-pre", self.hopper("case.yaml", code=2).stderr)
 
+    def test_yield_loci_that_no_solid_has(self):
+        """A falling one and one whose sigma_2 is tension say so, not that a column is missing. By hand, of the
+        second: tau = 9 + 0.577 sigma, and the circle through the preshear point (4, 11) that touches it."""
+        tests = "flow_function: {shear_tests: [{points: p.csv}, {points: q.csv}]}\nwall_friction: {angle: 18 deg}\n"
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        for cohesion, slope, tau_pre, words in (
+                (3.0, -0.5, 1.5, ["p.csv and those after it: The yield locus at a preshear stress of 4.000 kPa falls "
+                                  "(phi_lin = -26.6 deg): peak shear stress must rise with normal stress."]),
+                (9.0, 0.577, 11.0, ["phi_e is undefined in every yield locus, since sigma_2 is tension (-",
+                                    "at a preshear stress of 4.000 kPa)", "give the key effective_friction."])):
+            for name, times in (("p.csv", 1), ("q.csv", 2)):
+                self.write(name, head + "".join(
+                    f"{4 * times},{times * tau_pre},{times * s},{times * (cohesion + slope * s)},1300\n"
+                    for s in (1.0, 2.0, 3.0)))
+            self.refuse(tests, words)
+            self.assertNotIn("neither the key", self.hopper("case.yaml", code=2).stderr)
+
     def test_tables_with_mistakes(self):
         self.refuse(CASE, ["flow.csv:1: the header has no column f_c", "sigma_1 [kPa],f_c"],
                     head=FLOW.replace("f_c [kPa],", "", 1))
