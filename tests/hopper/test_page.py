@@ -38,6 +38,13 @@ class Page(page.Case):
                      f"the critical states lie at {cone['sigma_1_Pa']['value'] / 1e3:.1f} kPa, the smallest test at "
                      f"{min(points) / 1e3:.1f} kPa"):
             self.assertIn(told, text)
+        with open(clod.source("cases/hopper-design/README.md")) as file:
+            text = " ".join(file.read().split())
+        cone, slot = ([f"{1e3 * shape['outlet_m'][end]:.0f}" for end in ("value", "low", "high")]
+                      for shape in (found["cone"], found["wedge"]))
+        self.assertIn(f"a cone of {found['cone']['half_angle_deg']['value']:.1f} deg with a critical outlet of {cone[0]} mm "
+                      f"({cone[1]} to {cone[2]}), a slot of {slot[0]} mm ({slot[1]} to {slot[2]}), and mass flow in both",
+                      text)
 
     def test_the_refusal_on_the_page(self):
         """Its block begins with the program's name."""
