@@ -27,6 +27,7 @@ typedef struct table {
 typedef struct template
 {
     const char *name;
+    const char *file; ///< what the case is called unless the user says; NULL: NAME.yaml
     const char *help;
     const char *text;
     table tables[TABLES];
@@ -35,36 +36,44 @@ template;
 
 static const template TEMPLATES[] = {
     {"ring-shear",
+     NULL,
      "virtual ring shear test of copper ore with 5 % moisture",
      CLOD_TEMPLATE_RING_SHEAR,
      {{0}}},
-    {"jenike", "virtual Jenike shear test of the same ore", CLOD_TEMPLATE_JENIKE, {{0}}},
+    {"jenike", NULL, "virtual Jenike shear test of the same ore", CLOD_TEMPLATE_JENIKE, {{0}}},
     {"uniaxial",
+     NULL,
      "virtual uniaxial test: flow function of the same ore",
      CLOD_TEMPLATE_UNIAXIAL,
      {{0}}},
     {"wall-friction",
+     NULL,
      "virtual wall friction test of the same ore: wall yield locus",
      CLOD_TEMPLATE_WALL_FRICTION,
      {{0}}},
     {"free-run",
+     NULL,
      "a box of grains under a lid: settle, then compress",
      CLOD_TEMPLATE_FREE_RUN,
      {{0}}},
     {"contact-bench",
+     NULL,
      "one contact driven along a path of overlap, slip and roll",
      CLOD_TEMPLATE_CONTACT_BENCH,
      {{0}}},
     {"hopper",
+     NULL,
      "design of a hopper from measured tables, for clod hopper",
      CLOD_TEMPLATE_HOPPER,
      {{"flow-function.csv", CLOD_TEMPLATE_HOPPER_FLOW_FUNCTION},
       {"wall.csv", CLOD_TEMPLATE_HOPPER_WALL}}},
     {"calibrate",
+     NULL,
      "calibration of an ore's adhesion, for clod calibrate",
      CLOD_TEMPLATE_CALIBRATE,
      {{"ring.yaml", CLOD_TEMPLATE_CALIBRATE_RING}}},
     {"lab-to-outlet",
+     "hopper.yaml",
      "a laboratory's tables to hopper, calibration, outlet, chute",
      CLOD_TEMPLATE_LAB_TO_OUTLET,
      {{"shear.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_SHEAR},
@@ -76,6 +85,7 @@ static const template TEMPLATES[] = {
       {"chute.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_CHUTE},
       {"chute.obj", CLOD_TEMPLATE_LAB_TO_OUTLET_CHUTE_MESH}}},
     {"transfer-chute",
+     NULL,
      "moist ore over a transfer chute: belts, hood and spoon",
      CLOD_TEMPLATE_TRANSFER_CHUTE,
      {{"dry.yaml", CLOD_TEMPLATE_TRANSFER_CHUTE_DRY},
@@ -211,9 +221,10 @@ static void write_help(char *text, size_t size)
 {
     size_t used = (size_t)snprintf(
         text, size,
-        "Write an example case to start from; FILE is TEMPLATE.yaml unless given, - is "
-        "standard output. Further files of a template are written beside it. Without "
-        "arguments the templates are listed. A file that exists is never overwritten.\v"
+        "Write an example case to start from; FILE is TEMPLATE.yaml unless given (of "
+        "lab-to-outlet hopper.yaml), - is standard output. Further files of a template are "
+        "written beside it. Without arguments the templates are listed. A file that exists is "
+        "never overwritten.\v"
         "Templates:\n\n");
     for (size_t i = 0; i < TEMPLATE_COUNT && used < size; i++) {
         used += (size_t)snprintf(text + used, size - used, "  %-14s %s\n", TEMPLATES[i].name,
@@ -244,7 +255,9 @@ int clod_app_new(int argc, char **argv)
                 return print_case(&TEMPLATES[i]);
             }
             char path[64];
-            snprintf(path, sizeof path, "%s.yaml", self.name);
+            const char *usual = TEMPLATES[i].file;
+            snprintf(path, sizeof path, "%s%s", usual != NULL ? usual : self.name,
+                     usual != NULL ? "" : ".yaml");
             return write_case(&TEMPLATES[i], self.file != NULL ? self.file : path);
         }
     }

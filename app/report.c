@@ -90,8 +90,9 @@ int clod_app_report(int argc, char **argv)
         .doc =
             "Write report.html into each results folder RUN: one file that a browser shows "
             "without a network, with warnings, results, curves, tables and a 3-D view of the last "
-            "snapshot; and each figure beside it as SVG. -o names another file for the page of "
-            "one run.\vdocs/howto/report.md has examples.",
+            "snapshot; and each figure beside it as SVG. RUN may be the folder of a calibration "
+            "too: parameters, targets, surrogates. -o names another file for the page of one "
+            "run. A hopper's design has no page: clod hopper -o writes its chart.\vdocs/howto/report.md has examples.",
     };
     request self = {0};
     int result = CLOD_FAILED;
@@ -123,7 +124,8 @@ int clod_app_compare(int argc, char **argv)
         .parser = parse,
         .args_doc = "RUN...",
         .doc =
-            "Write compare.html, or the file that -o names, about the results folders RUN: one "
+            "Write compare.html, or the file that -o names, about the results folders RUN, of "
+            "runs of one kind, not of calibrations: one "
             "table of their results and of the keys in which their cases differ, curves over "
             "each other; and each figure beside it as SVG.\v"
             "docs/howto/report.md has examples.",

@@ -1,6 +1,7 @@
 #include "clod/locus.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "analysis/mean.h"
@@ -11,6 +12,8 @@
 #include "base/memory.h"
 
 #define HALF_PI 1.57079632679489661923
+#define FAR_BELOW                                                                              \
+    0.02 ///< of the preshear stress: no test shears there, but Pa read as kPa may be
 
 void clod_locus_free(void *memory)
 {
@@ -96,13 +99,19 @@ static bool check_points(const clod_locus_point *points, size_t count, clod_stat
         high = fmax(high, points[i].sigma_s);
         preshear = fmax(preshear, points[i].sigma_p);
     }
+    char unit[128] = "";
+    if (high < FAR_BELOW * preshear) {
+        snprintf(unit, sizeof unit,
+                 " The preshear stress is %.3f kPa; is the unit of sigma_sh another one?",
+                 preshear / 1000.0);
+    }
     return high - low > CLOD_WARNINGS_SAME_STRESS * preshear ||
            clod_status_fail(
                status, CLOD_USAGE,
                "All %zu points have the same normal stress, %.3f kPa to within 1 %% "
                "of the preshear stress: a line needs points at different normal "
-               "stresses.",
-               count, points[0].sigma_s / 1000.0);
+               "stresses.%s",
+               count, points[0].sigma_s / 1000.0, unit);
 }
 
 /** Normal stress of preshear over the points; bulk density over the preshears that tell it. */
@@ -151,6 +160,9 @@ static void fill_values(clod_locus *self, const clod_spread_result *best, const 
         const double value = best->field[k];
         const bool told = known && isfinite(value) && is_told(k, error[k]);
         *clod_field_of(self, k) = (clod_locus_value){value, told ? error[k] : (double)NAN, NAN};
+    }
+    if (self->phi_lin.value < 0.0) { // no solid: what its circles touch is no strength
+        self->sigma_c = self->ffc = (clod_locus_value){NAN, NAN, NAN};
     }
     const double half = 0.5 * self->sigma_c.value;
     self->r_squared = best->fit.r_squared;
@@ -238,7 +250,8 @@ static void combine_warnings(const clod_locus *loci, size_t count, clod_locus *s
                           "sigma_c and ffc are undefined in %zu of %zu seeds, so they have no "
                           "mean.%s",
                           undefined, count,
-                          fabs(self->c.value) <= 2.0 * self->c.error
+                          fabs(self->c.value) <= 2.0 * self->c.error &&
+                                  clod_warnings_is_usual(self->phi_lin.value)
                               ? " Cohesion is zero within two standard errors: the solid flows "
                                 "freely."
                               : "");

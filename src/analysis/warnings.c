@@ -61,6 +61,11 @@ static void list_add(stress_list *self, double stress)
     self->count++;
 }
 
+bool clod_warnings_is_usual(double phi_lin)
+{
+    return phi_lin * DEGREES >= PHI_LOW && phi_lin * DEGREES <= PHI_HIGH;
+}
+
 static void check_line(clod_locus *locus, size_t count)
 {
     if (count < 3) {
@@ -73,10 +78,10 @@ static void check_line(clod_locus *locus, size_t count)
     if (phi < 0.0) {
         clod_warnings_add(
             locus,
-            "The line falls (phi_lin = %.2f deg): peak shear stress must rise with "
-            "normal stress; check the columns and units.",
+            "The line falls (phi_lin = %.2f deg), so sigma_c and ffc are undefined: peak shear "
+            "stress must rise with normal stress; check the columns and units.",
             phi);
-    } else if (phi < PHI_LOW || phi > PHI_HIGH) {
+    } else if (!clod_warnings_is_usual(locus->phi_lin.value)) {
         clod_warnings_add(
             locus,
             "phi_lin = %.2f deg is outside %.0f to %.0f deg; check the columns and "
@@ -210,12 +215,14 @@ static void check_cohesion(clod_locus *locus)
     const double c = locus->c.value;
     if (c < 0.0) {
         const bool near_zero = c + 2.0 * locus->c.error >= 0.0;
+        const char *why =
+            !near_zero ? " Points at low normal stress bend down, or are wrong."
+            : clod_warnings_is_usual(locus->phi_lin.value)
+                ? " It is zero within two standard errors: the solid flows freely."
+                : ""; // the angle has a warning of its own
         clod_warnings_add(locus,
                           "Cohesion is negative (%.3f kPa): sigma_c and ffc are undefined.%s",
-                          c / KILO,
-                          near_zero ? " It is zero within two standard errors: the solid flows "
-                                      "freely."
-                                    : " Points at low normal stress bend down, or are wrong.");
+                          c / KILO, why);
     }
 }
 

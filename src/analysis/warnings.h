@@ -22,6 +22,9 @@ typedef struct clod_warnings_line {
 void clod_warnings_add(clod_locus *locus, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/** Whether a solid may have a yield locus of this angle [rad]: 5 to 65 deg. */
+bool clod_warnings_is_usual(double phi_lin);
+
 /** Warn when the angles of several seeds, whose mean the locus is, differ too much. */
 void clod_warnings_check_seeds(clod_locus *locus);
 

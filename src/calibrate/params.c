@@ -193,6 +193,7 @@ const clod_schema *clod_calibrate_schema(void)
     static const clod_schema OF_PLAN = {.keys = "Keys of the plan of a calibration",
                                         .name = "in the plan of a calibration (clod calibrate)",
                                         .top = "The plan",
+                                        .verb = "calibrate",
                                         .table = &CLOD_TABLE_PLAN,
                                         .head = put_head};
     return &OF_PLAN;

@@ -128,6 +128,25 @@ static char *explain_all(const clod_schema *const *schemas, clod_status *status)
     return all;
 }
 
+/** Where no key is called so: the topmost keys of the kind of file that a verb reads. */
+static void list_top(search *self, const clod_schema *const *schemas)
+{
+    char text[512];
+    for (size_t k = 0; schemas[k] != NULL; k++) {
+        const clod_table *table = schemas[k]->table;
+        if (strcmp(schemas[k]->verb, self->key) != 0) {
+            continue;
+        }
+        fprintf(self->out, "%s, read by clod %s: the topmost. clod explain KEY tells more.\n\n",
+                schemas[k]->keys, schemas[k]->verb);
+        for (size_t i = 0; i < table->count; i++) {
+            fprintf(self->out, "  %-18s  %s\n", table->params[i].key,
+                    clod_param_help(&table->params[i], text, sizeof text));
+        }
+        self->found += table->count;
+    }
+}
+
 /** Look in all kinds of file: in each for the whole path, and without one for keys that end so. */
 static void look_everywhere(search *self, const clod_schema *const *schemas)
 {
@@ -160,6 +179,9 @@ char *clod_schema_explain(const clod_schema *const *schemas, const char *key,
     }
     self.near = clod_suggest_start(key);
     look_everywhere(&self, schemas);
+    if (self.found == 0) {
+        list_top(&self, schemas);
+    }
     char *answer = clod_text_close(&text);
     if (self.found == 0) {
         char hint[CLOD_WALK_PATH + 32];

@@ -92,6 +92,7 @@ const clod_schema *clod_schema_case(void)
 {
     static const clod_schema OF_CASE = {.keys = "Keys of a case file",
                                         .top = "The case",
+                                        .verb = "run",
                                         .table = &CLOD_TABLE_CASE,
                                         .head = case_head};
     return &OF_CASE;

@@ -82,6 +82,7 @@ struct clod_schema {
     const char *keys; ///< "Keys of a case file"
     const char *name; ///< where a key is, behind its path; NULL: in a case, as most
     const char *top;  ///< heading of the table of its topmost keys
+    const char *verb; ///< that reads such a file
     const clod_table *table;
     void (*head)(FILE *out); ///< writes what the manual says before the tables
 };

@@ -54,7 +54,9 @@ static void put_flow_factor(const clod_hopper *self, int s, const clod_plot *pan
     if (isnan(flow_factor)) {
         snprintf(text, sizeof text, "%s: funnel flow", CLOD_HOPPER_SHAPE_NAMES[s]);
     } else {
-        snprintf(text, sizeof text, "%s, ff = %.2f", CLOD_HOPPER_SHAPE_NAMES[s], flow_factor);
+        snprintf(text, sizeof text, "%s, ff = %.2f%s", CLOD_HOPPER_SHAPE_NAMES[s], flow_factor,
+                 found->design.outcome == CLOD_HOPPER_UNPROVEN ? " (not known to be mass flow)"
+                                                               : "");
         const clod_plot_point ray[] = {{0.0, 0.0},
                                        {panel->most_x, panel->most_x / flow_factor}};
         clod_plot_line(panel, ray, 2, &pen);
@@ -95,7 +97,7 @@ static void put_flow_function(const clod_hopper *self, clod_plot *panel)
 /** Limit of mass flow over the wall friction angle, at the effective angle of the cone's state. */
 static void put_limits(const clod_hopper *self, clod_plot *panel)
 {
-    const double phi_e = self->shape[CLOD_RADIAL_CONE].number[CLOD_HOPPER_PHI_E].value;
+    const double phi_e = self->shape[CLOD_RADIAL_CONE].design.state.phi_e;
     const clod_plot_pen pen = {BLACK, 2.0, false};
     char text[64];
     snprintf(text, sizeof text, "limit of a cone, phi_e = %.1f deg", DEGREES * phi_e);
@@ -114,9 +116,13 @@ static void put_limits(const clod_hopper *self, clod_plot *panel)
     clod_plot_line(panel, line, count, &pen);
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         const clod_hopper_value *angle = &self->shape[s].number[CLOD_HOPPER_HALF_ANGLE];
-        const clod_hopper_value *wall = &self->shape[s].number[CLOD_HOPPER_PHI_W];
-        if (self->shape[s].design.outcome != CLOD_HOPPER_FUNNEL) {
-            put_state(panel, s, angle, wall, DEGREES);
+        const clod_hopper_design *at = &self->shape[s].design;
+        const double phi_w = at->state.phi_w;
+        const clod_hopper_value wall = clod_hopper_is_critical(at)
+                                           ? self->shape[s].number[CLOD_HOPPER_PHI_W]
+                                           : (clod_hopper_value){phi_w, phi_w, phi_w};
+        if (at->outcome != CLOD_HOPPER_FUNNEL) {
+            put_state(panel, s, angle, &wall, DEGREES);
         }
     }
 }

@@ -119,7 +119,18 @@ clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,
     if (wish->half_angle > 0.0) {
         self.limit = limit_at(&self.state, wish->tolerance);
     }
+    const bool flows = self.outcome == CLOD_HOPPER_FLOWS || self.outcome == CLOD_HOPPER_NO_ARCH;
+    if (flows && wish->shape == CLOD_RADIAL_WEDGE && self.half_angle > self.limit) {
+        // the field of a wedge has solutions far beyond what charts allow: docs/theory/hopper.md
+        self.outcome = CLOD_HOPPER_UNPROVEN;
+    }
     return self;
+}
+
+bool clod_hopper_is_critical(const clod_hopper_design *self)
+{
+    return self->outcome == CLOD_HOPPER_FLOWS ||
+           (self->outcome == CLOD_HOPPER_UNPROVEN && self->outlet > 0.0);
 }
 
 /** The margin by rounds from a first stress. */

@@ -28,11 +28,13 @@ typedef struct clod_hopper_wish {
 
 /** How it comes out. */
 typedef enum clod_hopper_outcome {
-    CLOD_HOPPER_FLOWS,    ///< without an arch above the critical outlet
-    CLOD_HOPPER_NO_ARCH,  ///< the strength nowhere reaches the stress of an arch
-    CLOD_HOPPER_ARCHES,   ///< it stays above it, everywhere or beyond some stress
-    CLOD_HOPPER_FUNNEL,   ///< the solid does not slide along the wall: funnel flow
-    CLOD_HOPPER_UNSETTLED ///< properties change so with stress that no state was found
+    CLOD_HOPPER_FLOWS,     ///< mass flow, without an arch above the critical outlet
+    CLOD_HOPPER_NO_ARCH,   ///< mass flow; the strength nowhere reaches the stress of an arch
+    CLOD_HOPPER_ARCHES,    ///< it stays above it, everywhere or beyond some stress
+    CLOD_HOPPER_FUNNEL,    ///< the solid does not slide along the wall: funnel flow
+    CLOD_HOPPER_UNSETTLED, ///< properties change so with stress that no state was found
+    CLOD_HOPPER_UNPROVEN ///< a wedge wider than the limit of a cone: the field has a solution,
+                         ///< which does not show mass flow; the outlet is that of the solution
 } clod_hopper_outcome;
 
 /** A hopper of one shape; where there is no critical outlet the state is that of the largest or
@@ -46,6 +48,9 @@ typedef struct clod_hopper_design {
     double flow_factor;     ///< ff
     double outlet;          ///< m: critical diameter or width; 0: no arch; INFINITY: arches
 } clod_hopper_design;
+
+/** Whether there is a critical state: one of an outlet above which no arch stands. */
+bool clod_hopper_is_critical(const clod_hopper_design *self);
 
 /** H of a half angle. Source: docs/theory/hopper.md. Test: tests/hopper/test_design.c */
 double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape, double theta);

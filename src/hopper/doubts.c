@@ -127,6 +127,33 @@ static void warn_strength(clod_hopper *self)
     }
 }
 
+/** A half angle that was given, close to the limit of mass flow or beyond it. */
+static void warn_angle(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const clod_hopper_design *at = &found->design;
+    const double most = at->limit - found->wish.margin;
+    if (at->outcome == CLOD_HOPPER_UNPROVEN) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: the half angle of %.1f deg is %.1f deg flatter than the limit of mass flow in a "
+            "cone, %.1f deg. A wedge may be some degrees flatter than a cone; how many is not "
+            "known here (docs/theory/hopper.md). Take the angle from a chart for wedges, or "
+            "half_angle: auto.",
+            name, at->half_angle / DEGREE, (at->half_angle - at->limit) / DEGREE,
+            at->limit / DEGREE);
+    } else if (found->wish.half_angle > 0.0 && at->outcome != CLOD_HOPPER_FUNNEL &&
+               at->half_angle > most) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: the half angle of %.1f deg is steeper than the limit of mass flow in a cone, "
+            "%.1f deg, by less than the margin of %.1f deg.%s",
+            name, at->half_angle / DEGREE, at->limit / DEGREE, found->wish.margin / DEGREE,
+            found->wish.shape == CLOD_RADIAL_WEDGE
+                ? " A wedge may be flatter, see docs/theory/hopper.md."
+                : "");
+    }
+}
+
 static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
     const clod_hopper_design *at = &found->design;
@@ -137,22 +164,12 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
             "stress.",
             name);
     }
-    if (at->outcome == CLOD_HOPPER_FLOWS) {
+    if (clod_hopper_is_critical(at)) {
         warn_beyond(self, name, &self->solid.strength, "sigma_1", at->state.sigma_1);
         warn_beyond(self, name, &self->solid.wall, "the normal stress at the wall",
                     at->state.sigma_w);
     }
-    if (found->wish.half_angle > 0.0 && at->outcome != CLOD_HOPPER_FUNNEL &&
-        at->half_angle > at->limit - found->wish.margin) {
-        clod_warning_list_add(
-            &self->warnings,
-            found->wish.shape == CLOD_RADIAL_CONE
-                ? "%s: the half angle of %.1f deg is less than the margin of %.1f deg below "
-                  "the limit of mass flow, %.1f deg."
-                : "%s: the half angle of %.1f deg is less than the margin of %.1f deg below the "
-                  "limit of a cone, %.1f deg; a wedge may be wider, see docs/theory/hopper.md.",
-            name, at->half_angle / DEGREE, found->wish.margin / DEGREE, at->limit / DEGREE);
-    }
+    warn_angle(self, name, found);
 }
 
 static bool has_errors(const clod_curve *curve)
@@ -183,21 +200,41 @@ static void warn_errors(clod_hopper *self)
     }
 }
 
+/** A rathole whose phi_t is where Jenike's function is not known, as measured or in samples. */
+static void warn_hole(clod_hopper *self, int hole, const char *when, double phi_t)
+{
+    const double share = 1.0 - self->holed[hole];
+    if (isnan(self->rathole[hole].value)) {
+        if (!(phi_t >= CLOD_RATHOLE_LEAST && phi_t <= CLOD_RATHOLE_MOST)) {
+            clod_warning_list_add(
+                &self->warnings,
+                "No rathole diameter%s: Jenike's function G is known from 30 to 70 deg, and the "
+                "static angle of internal friction is %.1f deg.",
+                when, phi_t / DEGREE);
+        }
+    } else if (share > 0.0) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Rathole%s: in %.1f %% of the samples the static angle of internal friction is "
+            "outside 30 to 70 deg, where Jenike's function G is known; the interval is that of "
+            "the others.",
+            when, 100.0 * share);
+    }
+}
+
 static void warn_rathole(clod_hopper *self)
 {
-    const double phi_t = self->hole.state.phi_t;
     if (self->solid.phi_t.count == 0) {
         clod_warning_list_add(
             &self->warnings,
             "No rathole diameter: the key static_friction, or a column phi_t of the flow "
             "function, is missing.");
-    } else if (isnan(self->hole.emptying) &&
-               !(phi_t >= CLOD_RATHOLE_LEAST && phi_t <= CLOD_RATHOLE_MOST)) {
-        clod_warning_list_add(
-            &self->warnings,
-            "No rathole diameter: Jenike's function G is known from 30 to 70 deg, and the "
-            "static angle of internal friction is %.1f deg.",
-            phi_t / DEGREE);
+    } else {
+        warn_hole(self, CLOD_HOPPER_EMPTYING, ", emptying", self->hole.state.phi_t);
+        if (self->silo.diameter > 0.0) {
+            warn_hole(self, CLOD_HOPPER_FILLING, ", after filling",
+                      clod_curve_at(&self->solid.phi_t, self->hole.filling_stress));
+        }
     }
     if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
         clod_warning_list_add(

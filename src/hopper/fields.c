@@ -4,29 +4,29 @@
 
 const clod_hopper_field CLOD_HOPPER_FIELDS[CLOD_HOPPER_NUMBERS] = {
     [CLOD_HOPPER_LIMIT] = {"limit_deg", "limit of mass flow in a cone", "deg", DEGREES, DEGREES,
-                           1},
-    [CLOD_HOPPER_HALF_ANGLE] = {"half_angle_deg", "half angle", "deg", DEGREES, DEGREES, 1},
-    [CLOD_HOPPER_OUTLET] = {"outlet_m", "critical outlet", "mm", 1e3, 1.0, 1},
-    [CLOD_HOPPER_FLOW_FACTOR] = {"flow_factor", "flow factor ff", "", 1.0, 1.0, 3},
-    [CLOD_HOPPER_SIGMA_1] = {"sigma_1_Pa", "critical sigma_1", "kPa", 1e-3, 1.0, 3},
-    [CLOD_HOPPER_STRENGTH] = {"strength_Pa", "critical strength f_c", "kPa", 1e-3, 1.0, 3},
-    [CLOD_HOPPER_PHI_E] = {"phi_e_deg", "phi_e there", "deg", DEGREES, DEGREES, 1},
-    [CLOD_HOPPER_PHI_W] = {"phi_w_deg", "wall friction angle there", "deg", DEGREES, DEGREES,
-                           1},
-    [CLOD_HOPPER_RHO] = {"rho_b_kg_m3", "bulk density there", "kg/m3", 1.0, 1.0, 0},
-    [CLOD_HOPPER_ARCH] = {"arch_thickness", "H(theta)", "", 1.0, 1.0, 3},
-    [CLOD_HOPPER_MARGIN] = {"arching_margin", "stress over strength", "", 1.0, 1.0, 2},
+                           1, "none"},
+    [CLOD_HOPPER_HALF_ANGLE] = {"half_angle_deg", "half angle", "deg", DEGREES, DEGREES, 1,
+                                "none"},
+    [CLOD_HOPPER_OUTLET] = {"outlet_m", "critical outlet", "mm", 1e3, 1.0, 1, NULL},
+    [CLOD_HOPPER_FLOW_FACTOR] = {"flow_factor", "flow factor ff", "", 1.0, 1.0, 3, NULL},
+    [CLOD_HOPPER_SIGMA_1] = {"sigma_1_Pa", "critical sigma_1", "kPa", 1e-3, 1.0, 3, NULL},
+    [CLOD_HOPPER_STRENGTH] = {"strength_Pa", "critical strength f_c", "kPa", 1e-3, 1.0, 3,
+                              NULL},
+    [CLOD_HOPPER_PHI_E] = {"phi_e_deg", "phi_e there", "deg", DEGREES, DEGREES, 1, NULL},
+    [CLOD_HOPPER_PHI_W] = {"phi_w_deg", "wall friction angle there", "deg", DEGREES, DEGREES, 1,
+                           NULL},
+    [CLOD_HOPPER_RHO] = {"rho_b_kg_m3", "bulk density there", "kg/m3", 1.0, 1.0, 0, NULL},
+    [CLOD_HOPPER_ARCH] = {"arch_thickness", "H(theta)", "", 1.0, 1.0, 3, NULL},
+    [CLOD_HOPPER_MARGIN] = {"arching_margin", "stress over strength", "", 1.0, 1.0, 2, NULL},
 };
 
 const char *const CLOD_HOPPER_SHAPE_NAMES[CLOD_HOPPER_SHAPES] = {
     [CLOD_RADIAL_WEDGE] = "wedge", [CLOD_RADIAL_CONE] = "cone"};
 
 const char *const CLOD_HOPPER_OUTCOME_NAMES[CLOD_HOPPER_OUTCOMES] = {
-    [CLOD_HOPPER_FLOWS] = "flows",
-    [CLOD_HOPPER_NO_ARCH] = "no_arch",
-    [CLOD_HOPPER_ARCHES] = "arches",
-    [CLOD_HOPPER_FUNNEL] = "funnel_flow",
-    [CLOD_HOPPER_UNSETTLED] = "unsettled"};
+    [CLOD_HOPPER_FLOWS] = "flows",         [CLOD_HOPPER_NO_ARCH] = "no_arch",
+    [CLOD_HOPPER_ARCHES] = "arches",       [CLOD_HOPPER_FUNNEL] = "funnel_flow",
+    [CLOD_HOPPER_UNSETTLED] = "unsettled", [CLOD_HOPPER_UNPROVEN] = "mass_flow_unknown"};
 
 const char *const CLOD_HOPPER_ARCH_NAMES[] = {
     [CLOD_HOPPER_ARCH_ARNOLD] = "arnold", [CLOD_HOPPER_ARCH_RHODES] = "rhodes"};

@@ -13,6 +13,7 @@ typedef struct clod_hopper_field {
     double scale;     ///< from SI to that unit
     double json;      ///< from SI to the unit of the key
     int digits;
+    const char *zero; ///< what people read for 0; NULL: the number
 } clod_hopper_field;
 
 /** By clod_hopper_number. */

@@ -10,6 +10,7 @@
 
 #define JOBS 64
 #define SAMPLE_TOLERANCE 1e-6 // of the stress field: far below any error of measurement
+#define COARSEST 1e-3         // what that tolerance changes at most, relatively
 #define LEAST_ANGLE 0.02      // rad: what a drawn angle is kept within
 #define MOST_ANGLE 1.5
 
@@ -24,6 +25,7 @@ typedef struct task {
     const clod_hopper *hopper;
     sample *samples;
     size_t count;
+    sample measured; ///< that of the values as they were measured
     bool lost[JOBS]; ///< no memory
 } task;
 
@@ -38,7 +40,7 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
 {
     const clod_hopper_design at = clod_hopper_design_shape(solid, &found->wish);
     const bool slides = at.outcome != CLOD_HOPPER_FUNNEL;
-    const bool critical = at.outcome == CLOD_HOPPER_FLOWS;
+    const bool critical = clod_hopper_is_critical(&at);
     const double none = (double)NAN;
     *outcome = at.outcome;
     number[CLOD_HOPPER_LIMIT] = at.limit;
@@ -47,9 +49,9 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     number[CLOD_HOPPER_FLOW_FACTOR] = slides ? at.flow_factor : none;
     number[CLOD_HOPPER_SIGMA_1] = critical ? at.state.sigma_1 : none;
     number[CLOD_HOPPER_STRENGTH] = critical ? at.state.strength : none;
-    number[CLOD_HOPPER_PHI_E] = at.state.phi_e;
-    number[CLOD_HOPPER_PHI_W] = at.state.phi_w;
-    number[CLOD_HOPPER_RHO] = at.state.rho;
+    number[CLOD_HOPPER_PHI_E] = critical ? at.state.phi_e : none;
+    number[CLOD_HOPPER_PHI_W] = critical ? at.state.phi_w : none;
+    number[CLOD_HOPPER_RHO] = critical ? at.state.rho : none;
     number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
     number[CLOD_HOPPER_MARGIN] = none;
     if (asked_for_margin(found)) {
@@ -115,10 +117,8 @@ static void draw_solid(const task *self, size_t item, clod_solid *solid)
     }
 }
 
-static void run_sample(const task *self, size_t item, clod_solid *solid)
+static void design_sample(const task *self, const clod_solid *solid, sample *to)
 {
-    sample *to = &self->samples[item];
-    draw_solid(self, item, solid);
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         clod_hopper_found found = self->hopper->shape[s];
         found.wish.tolerance = SAMPLE_TOLERANCE;
@@ -132,6 +132,12 @@ static void run_sample(const task *self, size_t item, clod_solid *solid)
     const clod_rathole hole = clod_rathole_of(solid, &self->hopper->silo);
     to->hole[CLOD_HOPPER_EMPTYING] = hole.emptying;
     to->hole[CLOD_HOPPER_FILLING] = hole.filling;
+}
+
+static void run_sample(const task *self, size_t item, clod_solid *solid)
+{
+    draw_solid(self, item, solid);
+    design_sample(self, solid, &self->samples[item]);
 }
 
 /** Copies of all points, in one piece of memory, which the first curve owns. */
@@ -186,26 +192,46 @@ static double quantile(const double *sorted, size_t count, double share)
     return sorted[k] + part * (sorted[k + 1] - sorted[k]);
 }
 
-/** Interval of a number that lies `offset` bytes into each sample; those that are NAN left out. */
-static void put_interval(const task *self, size_t offset, double *room,
-                         clod_hopper_value *value)
+/** The number that lies `offset` bytes into a sample. */
+static double number_at(const sample *of, size_t offset)
+{
+    double number;
+    memcpy(&number, (const char *)of + offset, sizeof number);
+    return number;
+}
+
+/** By what a value differs from the same one at the tolerance of the samples. */
+static double finer(double value, double coarse)
+{
+    const double ratio = value / coarse;
+    return fabs(ratio - 1.0) < COARSEST ? ratio : 1.0; // not of other outcomes
+}
+
+/**
+ * Interval of a number that lies `offset` bytes into each sample; those that are NAN left out. A
+ * number that is not known has none.
+ *
+ * @return  share of the samples that have the number
+ */
+static double put_interval(const task *self, size_t offset, double *room,
+                           clod_hopper_value *value)
 {
     size_t count = 0;
     for (size_t i = 0; i < self->count; i++) {
-        const char *at = (const char *)&self->samples[i] + offset;
-        double number;
-        memcpy(&number, at, sizeof number);
+        const double number = number_at(&self->samples[i], offset);
         if (!isnan(number)) {
             room[count++] = number;
         }
     }
     value->low = value->high = (double)NAN;
-    if (count > 0) {
+    if (count > 0 && !isnan(value->value)) {
+        const double scale = finer(value->value, number_at(&self->measured, offset));
         const double tail = 0.5 * (1.0 - self->hopper->from.interval.level);
         qsort(room, count, sizeof *room, by_size);
-        value->low = quantile(room, count, tail);
-        value->high = quantile(room, count, 1.0 - tail);
+        value->low = scale * quantile(room, count, tail);
+        value->high = scale * quantile(room, count, 1.0 - tail);
     }
+    return (double)count / (double)self->count;
 }
 
 /** Shares of outcomes, and of samples in which the planned outlet does not let the solid flow. */
@@ -233,7 +259,8 @@ static void collect(const task *self, double *room, clod_hopper *to)
         put_shares(self, s, &to->shape[s]);
     }
     for (size_t h = 0; h < CLOD_HOPPER_HOLES; h++) {
-        put_interval(self, offsetof(sample, hole) + h * sizeof(double), room, &to->rathole[h]);
+        to->holed[h] = put_interval(self, offsetof(sample, hole) + h * sizeof(double), room,
+                                    &to->rathole[h]);
     }
 }
 
@@ -244,6 +271,7 @@ bool clod_interval_fill(clod_hopper *self, clod_status *status)
     double *room = clod_memory_alloc(all.count, sizeof *room);
     bool good = all.samples != NULL && room != NULL;
     if (good) {
+        design_sample(&all, &self->solid, &all.measured);
         clod_threads_run(JOBS, clod_threads_available(), run_job, &all);
         for (int job = 0; job < JOBS; job++) {
             good = good && !all.lost[job];

@@ -270,6 +270,7 @@ const clod_schema *clod_hopper_schema(void)
     static const clod_schema OF_HOPPER = {.keys = "Keys of the case of a hopper",
                                           .name = "in the case of a hopper (clod hopper)",
                                           .top = "The hopper",
+                                          .verb = "hopper",
                                           .table = &CLOD_TABLE_HOPPER,
                                           .head = put_head};
     return &OF_HOPPER;

@@ -11,25 +11,25 @@
 #include "hopper/rathole.h"
 
 #define CLOD_HOPPER_SHAPES 2
-#define CLOD_HOPPER_OUTCOMES 5
+#define CLOD_HOPPER_OUTCOMES 6
 
 /** Numbers of one shape. */
 typedef enum clod_hopper_number {
     CLOD_HOPPER_LIMIT,       ///< rad; 0: funnel flow
     CLOD_HOPPER_HALF_ANGLE,  ///< rad; 0: funnel flow
     CLOD_HOPPER_OUTLET,      ///< m; 0: no arch; INFINITY: none is large enough
-    CLOD_HOPPER_FLOW_FACTOR, ///< the rest: NAN where there is no critical state
-    CLOD_HOPPER_SIGMA_1,     ///< Pa
+    CLOD_HOPPER_FLOW_FACTOR, ///< NAN: funnel flow
+    CLOD_HOPPER_SIGMA_1,     ///< Pa; this to rho: NAN where there is no critical state
     CLOD_HOPPER_STRENGTH,    ///< Pa
     CLOD_HOPPER_PHI_E,       ///< rad
     CLOD_HOPPER_PHI_W,       ///< rad
     CLOD_HOPPER_RHO,         ///< kg/m3
-    CLOD_HOPPER_ARCH,        ///< H
+    CLOD_HOPPER_ARCH,        ///< H; NAN: funnel flow
     CLOD_HOPPER_MARGIN,      ///< NAN: no outlet is given, or funnel flow
     CLOD_HOPPER_NUMBERS,
 } clod_hopper_number;
 
-/** A number and its interval; NAN: not known. */
+/** A number and its interval; NAN: not known, then all three. */
 typedef struct clod_hopper_value {
     double value, low, high;
 } clod_hopper_value;
@@ -54,6 +54,8 @@ struct clod_hopper {
     clod_hopper_found shape[CLOD_HOPPER_SHAPES]; ///< by clod_radial_shape
     clod_rathole_silo silo;
     clod_hopper_value rathole[CLOD_HOPPER_HOLES];
+    double
+        holed[CLOD_HOPPER_HOLES]; ///< share of the samples in which G of that rathole is known
     clod_rathole hole;
     clod_warning_list warnings;
 };

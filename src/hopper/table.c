@@ -12,6 +12,7 @@
 #include "hopper/fields.h"
 
 #define WIDTH 96 ///< of a line of text
+#define DEGREES 57.295779513082323
 
 static void put_number(FILE *out, int width, const clod_hopper_field *how, double value)
 {
@@ -19,6 +20,8 @@ static void put_number(FILE *out, int width, const clod_hopper_field *how, doubl
         fprintf(out, "%*s", width, "-");
     } else if (isinf(value)) {
         fprintf(out, "%*s", width, "infinite");
+    } else if (value == 0.0 && how->zero != NULL) {
+        fprintf(out, "%*s", width, how->zero);
     } else {
         fprintf(out, "%*.*f", width, how->digits, how->scale * value);
     }
@@ -66,7 +69,19 @@ static void put_verdict(FILE *out, const clod_hopper_found *found)
              "one may help; otherwise see the rathole."),
         [CLOD_HOPPER_UNSETTLED] = "No critical state was found; see the warnings.",
     };
-    put_text(out, "  ", WORDS[found->design.outcome]);
+    const clod_hopper_design *at = &found->design;
+    if (at->outcome == CLOD_HOPPER_UNPROVEN) {
+        char text[256];
+        snprintf(
+            text, sizeof text,
+            "Not known to be mass flow: a wedge steeper than %.1f deg is, this one has %.1f "
+            "deg. If a chart for wedges allows that, no cohesive arch stands %s.",
+            DEGREES * at->limit, DEGREES * at->half_angle,
+            at->outlet > 0.0 ? "above the critical outlet" : "at any outlet");
+        put_text(out, "  ", text);
+    } else {
+        put_text(out, "  ", WORDS[at->outcome]);
+    }
 }
 
 static void put_shares(FILE *out, const clod_hopper_found *found)
@@ -76,16 +91,17 @@ static void put_shares(FILE *out, const clod_hopper_found *found)
         [CLOD_HOPPER_NO_ARCH] = "without an arch",
         [CLOD_HOPPER_ARCHES] = "arching at any outlet",
         [CLOD_HOPPER_FUNNEL] = "in funnel flow",
-        [CLOD_HOPPER_UNSETTLED] = "not settled"};
-    fputs("  samples", out);
-    bool first = true;
+        [CLOD_HOPPER_UNSETTLED] = "not settled",
+        [CLOD_HOPPER_UNPROVEN] = "not known to be mass flow"};
+    char text[256] = "";
     for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
         if (found->share[k] > 0.0) {
-            fprintf(out, "%s %.1f %% %s", first ? "" : ",", 100.0 * found->share[k], WORDS[k]);
-            first = false;
+            const size_t used = strlen(text);
+            snprintf(text + used, sizeof text - used, "%s%.1f %% %s", used > 0 ? ", " : "",
+                     100.0 * found->share[k], WORDS[k]);
         }
     }
-    fputs("\n", out);
+    put_text(out, "  samples ", text);
 }
 
 static void put_planned(FILE *out, const clod_hopper_found *found)
@@ -93,7 +109,8 @@ static void put_planned(FILE *out, const clod_hopper_found *found)
     if (found->planned <= 0.0) {
         return;
     }
-    fprintf(out, "\n  Outlet of %.1f mm\n", 1e3 * found->planned);
+    fprintf(out, "\n  Outlet of %.1f mm%s\n", 1e3 * found->planned,
+            found->design.outcome == CLOD_HOPPER_UNPROVEN ? ", if it is mass flow" : "");
     put_line(out, &CLOD_HOPPER_FIELDS[CLOD_HOPPER_MARGIN], &found->number[CLOD_HOPPER_MARGIN]);
     fprintf(out, "  %-32s%10.1f %%\n", "samples that do not flow", 100.0 * found->arching);
 }
@@ -118,10 +135,10 @@ static void put_shape(FILE *out, const clod_hopper_found *found)
 
 static void put_rathole(FILE *out, const clod_hopper *self)
 {
-    static const clod_hopper_field EMPTYING = {"", "diameter, emptying (least)", "mm", 1e3, 1.0,
-                                               1};
+    static const clod_hopper_field EMPTYING = {
+        "", "diameter, emptying (least)", "mm", 1e3, 1.0, 1, NULL};
     static const clod_hopper_field FILLING = {
-        "", "diameter, after filling (most)", "mm", 1e3, 1.0, 1};
+        "", "diameter, after filling (most)", "mm", 1e3, 1.0, 1, NULL};
     if (self->solid.phi_t.count == 0) {
         return;
     }

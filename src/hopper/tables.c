@@ -14,6 +14,8 @@
 #include "clod/locus.h"
 #include "hopper/wall.h"
 
+#define DEGREE (M_PI / 180.0)
+
 /** A row of the flow function; 0: not there. */
 typedef struct row {
     clod_curve_point strength, phi_e, phi_t, rho; ///< x: sigma_1, in strength alone
@@ -181,8 +183,44 @@ static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
     }
 }
 
+/** Refuse a yield locus without a strength, and say why it has none. */
+static bool has_strength(const clod_locus *locus, clod_status *status)
+{
+    if (locus->phi_lin.value < 0.0) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "The yield locus at a preshear stress of %.3f kPa falls (phi_lin "
+            "= %.1f deg): peak shear stress must rise with normal stress. "
+            "Check the columns and units of its points.",
+            1e-3 * locus->sigma_p.value, locus->phi_lin.value / DEGREE);
+    }
+    return !isnan(locus->sigma_c.value) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "The yield locus at a preshear stress of %.3f kPa has no "
+                            "unconfined yield strength (its cohesion is below 0); "
+                            "clod locus says more about its points.",
+                            1e-3 * locus->sigma_p.value);
+}
+
+/** Refuse loci of which none has phi_e, where nothing else gives it. */
+static bool has_phi_e(const clod_locus_study *study, clod_status *status)
+{
+    const clod_locus *first = &study->groups[0].locus;
+    for (size_t g = 0; g < study->count; g++) {
+        if (isfinite(study->groups[g].locus.phi_e.value)) {
+            return true;
+        }
+    }
+    return clod_status_fail(status, CLOD_USAGE,
+                            "phi_e is undefined in every yield locus, since sigma_2 is tension "
+                            "(%.3f kPa at a preshear stress of %.3f kPa): their shear stresses "
+                            "are too large for their normal stresses. Check the columns and "
+                            "units of the points, or give the key effective_friction.",
+                            1e-3 * first->sigma_2.value, 1e-3 * first->sigma_p.value);
+}
+
 /** Rows of the loci of a study. */
-static bool take_study(const clod_locus_study *study, clod_solid *solid,
+static bool take_study(const clod_locus_study *study, bool brings_phi_e, clod_solid *solid,
                        clod_tables_notes *notes, clod_status *status)
 {
     row *rows = clod_memory_alloc(study->count, sizeof *rows);
@@ -192,13 +230,7 @@ static bool take_study(const clod_locus_study *study, clod_solid *solid,
     bool good = true;
     for (size_t g = 0; g < study->count && good; g++) {
         const clod_locus *locus = &study->groups[g].locus;
-        if (isnan(locus->sigma_c.value)) {
-            good = clod_status_fail(status, CLOD_USAGE,
-                                    "The yield locus at a preshear stress of %.3f kPa has no "
-                                    "unconfined yield strength (its cohesion is below 0); "
-                                    "clod locus says more about its points.",
-                                    1e-3 * locus->sigma_p.value);
-        }
+        good = has_strength(locus, status);
         put(&rows[g].strength, locus->sigma_c);
         put(&rows[g].phi_e, locus->phi_e);
         put(&rows[g].phi_t, locus->phi_lin);
@@ -210,7 +242,8 @@ static bool take_study(const clod_locus_study *study, clod_solid *solid,
     if (study->warning[0] != '\0') {
         clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);
     }
-    good = good && take_rows(rows, study->count, solid, status);
+    good = good && (!brings_phi_e || has_phi_e(study, status)) &&
+           take_rows(rows, study->count, solid, status);
     clod_memory_free(rows);
     return good;
 }
@@ -255,9 +288,10 @@ static bool add_points(const char *path, clod_locus_point **all, size_t *count,
     return true;
 }
 
-static bool read_tests(const clod_hopper_strength *from, clod_solid *solid,
-                       clod_tables_notes *notes, clod_status *status)
+static bool read_tests(const clod_hopper_case *of, clod_solid *solid, clod_tables_notes *notes,
+                       clod_status *status)
 {
+    const clod_hopper_strength *from = &of->strength;
     clod_locus_point *points = NULL;
     size_t count = 0;
     bool good = true;
@@ -266,7 +300,7 @@ static bool read_tests(const clod_hopper_strength *from, clod_solid *solid,
     }
     clod_status why = {0};
     clod_locus_study *study = good ? clod_locus_study_create(points, count, &why) : NULL;
-    if (good && !(study != NULL && take_study(study, solid, notes, &why))) {
+    if (good && !(study != NULL && take_study(study, !of->phi_e.present, solid, notes, &why))) {
         // of several files: the preshear stress says which
         good = clod_status_fail(status, why.code, "%s%s: %s", from->tests[0].points,
                                 from->test_count > 1 ? " and those after it" : "", why.text);
@@ -276,11 +310,12 @@ static bool read_tests(const clod_hopper_strength *from, clod_solid *solid,
     return good;
 }
 
-static bool read_strength(const clod_hopper_strength *from, clod_solid *solid,
+static bool read_strength(const clod_hopper_case *of, clod_solid *solid,
                           clod_tables_notes *notes, clod_status *status)
 {
+    const clod_hopper_strength *from = &of->strength;
     if (from->file == NULL) {
-        return read_tests(from, solid, notes, status);
+        return read_tests(of, solid, notes, status);
     }
     void *rows;
     size_t count;
@@ -384,7 +419,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
                       clod_status *status)
 {
     *solid = (clod_solid){0};
-    if (!read_strength(&from->strength, solid, notes, status) ||
+    if (!read_strength(from, solid, notes, status) ||
         !read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
         !read_property(&from->phi_t, read_phi_t, &solid->phi_t, status) ||
         !read_property(&from->rho, read_rho, &solid->rho, status) ||

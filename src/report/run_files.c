@@ -5,10 +5,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/memory.h"
 #include "config/yaml.h"
 #include "output/file.h"
+#include "report/calibration_page.h"
 #include "report/run_kinds.h"
 
 #define TIME_LENGTH strlen("2026-01-31T12:00") ///< what the head of a page shows
@@ -96,6 +99,37 @@ static void find_title(clod_run_files *self)
     }
 }
 
+/** Refuse what is there, but is no folder: a design, a table, a case. */
+static bool is_folder(const char *folder, clod_status *status)
+{
+    struct stat about;
+    return stat(folder, &about) != 0 || S_ISDIR(about.st_mode) ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s is a file, not the results folder of a run. Name a folder, e.g. "
+               "run/first; clod hopper -o draws the chart of a design itself.",
+               folder);
+}
+
+/** Say why a folder is not that of a run. */
+static bool fail_other(const char *folder, clod_status *status)
+{
+    if (access(folder, F_OK) != 0) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s does not exist. Name the results folder "
+                                "of a run, e.g. run/first.",
+                                folder);
+    }
+    return clod_status_fail(
+        status, CLOD_USAGE,
+        clod_calibration_page_is(folder)
+            ? "%s is the results folder of a calibration, not of a run: clod report makes a page "
+              "of it; clod compare takes runs, also those in its folder runs."
+            : "%s is not the results folder of a run: it has no file case-complete.yaml. Name "
+              "one, e.g. run/first.",
+        folder);
+}
+
 bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *status)
 {
     *self = (clod_run_files){.folder = clod_memory_text(folder)};
@@ -105,17 +139,15 @@ bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *
     for (size_t k = strlen(self->folder); k > 1 && self->folder[k - 1] == '/'; k--) {
         self->folder[k - 1] = '\0';
     }
-    if (!load_text(self, "case-complete.yaml", &self->complete, status) ||
+    if (!is_folder(self->folder, status) ||
+        !load_text(self, "case-complete.yaml", &self->complete, status) ||
         !load_text(self, "case.yaml", &self->case_text, status) ||
         !load_text(self, "report.txt", &self->report, status) || !load_summary(self, status) ||
         !load_times(self, status)) {
         return false;
     }
     if (self->complete == NULL) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "%s is not the results folder of a run: it has no file "
-                                "case-complete.yaml. Name one, e.g. run/first.",
-                                self->folder);
+        return fail_other(self->folder, status);
     }
     find_title(self);
     self->kind = clod_run_kinds_of(self->complete);

@@ -334,8 +334,8 @@ int clod_parts_headline(const clod_part *part, int parts, const char *title, con
 {
     return snprintf(text, size,
                     "%s\n%zu grain%s, dt %.4g s, coordination %.2f, largest overlap at the "
-                    "end of %s %.3g %% of a radius, %.0f s of work\n\n",
+                    "end of %s %.3g %% of a radius, %.0f s of wall-clock time%s\n\n",
                     title, part[0].grains, clod_plural((double)part[0].grains), part[0].dt,
                     part[0].coordination, what, 100.0 * part[0].max_overlap,
-                    total_wall_clock(part, parts));
+                    total_wall_clock(part, parts), parts > 1 ? " summed over the parts" : "");
 }

@@ -111,6 +111,16 @@ static void normal_stresses_that_are_one(void **state)
     points[3].sigma_s = 5e3 + 101.0;
     locus = evaluate(points, 4);
     clod_locus_fini(&locus);
+    // sigma_sh of 3 to 7.5 kPa in kPa, read as Pa
+    good_points(points);
+    for (size_t i = 0; i < 4; i++) {
+        points[i].sigma_s *= 1e-3;
+    }
+    assert_false(clod_locus_evaluate(points, 4, &locus, &status));
+    assert_string_equal(
+        status.text, "All 4 points have the same normal stress, 0.003 kPa to within 1 % of "
+                     "the preshear stress: a line needs points at different normal stresses. "
+                     "The preshear stress is 10.000 kPa; is the unit of sigma_sh another one?");
 }
 
 static clod_locus_study *make_study(const clod_locus_point *points, size_t count)

@@ -49,7 +49,10 @@ static void angle_out_of_range(void **state)
     clod_locus_fini(&locus);
     points_on_line(9e3, -20.0 * DEG, 10e3, 4.4e3, sigma, 4, points);
     locus = evaluate(points, 4);
-    assert_true(has_warning(&locus, "The line falls (phi_lin = -20.00 deg)"));
+    assert_true(has_warning(
+        &locus, "The line falls (phi_lin = -20.00 deg), so sigma_c and ffc are undefined"));
+    assert_true(isnan(locus.sigma_c.value) && isnan(locus.ffc.value) && isnan(locus.ffc.error));
+    assert_string_equal(locus.flow, "undefined");
     clod_locus_fini(&locus);
 }
 
@@ -328,6 +331,23 @@ static void negative_cohesion_within_its_error(void **state)
     clod_locus_fini(&locus);
 }
 
+/** Nothing flows freely at 79 deg: the angle is odd, and no more can be said of the cohesion. */
+static void negative_cohesion_of_an_odd_angle(void **state)
+{
+    (void)state;
+    clod_locus_point points[4];
+    const double sigma[] = {3e3, 4.5e3, 6e3, 7.5e3};
+    points_on_line(-1e3, 79.0 * DEG, 10e3, 50e3, sigma, 4, points);
+    points[1].tau_s -= 3000.0;
+    points[2].tau_s += 3000.0;
+    clod_locus locus = evaluate(points, 4);
+    assert_true(locus.c.value < 0.0 && locus.c.value + 2.0 * locus.c.error > 0.0);
+    assert_true(has_warning(&locus, "Cohesion is negative"));
+    assert_true(has_warning(&locus, "is outside 5 to 65 deg; check the columns and units."));
+    assert_false(has_warning(&locus, "flows freely"));
+    clod_locus_fini(&locus);
+}
+
 /** More warnings than there is room for are counted, none is written beyond. */
 static void room_for_warnings_ends(void **state)
 {
@@ -402,6 +422,7 @@ int main(void)
         cmocka_unit_test(seeds_that_differ),
         cmocka_unit_test(tension_at_steady_state),
         cmocka_unit_test(negative_cohesion_within_its_error),
+        cmocka_unit_test(negative_cohesion_of_an_odd_angle),
         cmocka_unit_test(room_for_warnings_ends),
         cmocka_unit_test(long_lists_are_cut),
     };

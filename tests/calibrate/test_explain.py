@@ -1,6 +1,7 @@
 """clod explain: the keys of all kinds of file, and the manual in docs/."""
 
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -36,6 +37,18 @@ class Explain(clod.Case):
         told = self.explain("seeds").stdout
         for where in ("ring_shear.seeds\n", "wall_friction.seeds\n", "seeds" + PLAN):
             self.assertEqual(told.count(where), 1, told)
+
+    def test_a_verb_lists_the_topmost_keys_of_its_file(self):
+        """Each as often as the manual's first table of that kind of file has it, in its order."""
+        with open(clod.source("docs/manual.md")) as file:
+            manual = file.read()
+        for verb, title, top in (("run", "a case file", "The case"), ("hopper", "the case of a hopper", "The hopper"),
+                                 ("calibrate", "the plan of a calibration", "The plan")):
+            told = self.explain(verb).stdout.splitlines()
+            self.assertEqual(told[0], f"Keys of {title}, read by clod {verb}: the topmost. clod explain KEY tells more.")
+            keys = re.findall(r"^\| `(\w+)`", manual.partition(f"## {top}\n")[2].partition("\n## ")[0], re.MULTILINE)
+            self.assertGreater(len(keys), 5)
+            self.assertEqual([line.split()[0] for line in told[2:]], keys)
 
     def test_wrong_keys_are_answered_with_the_nearest_of_all_files(self):
         for wrong, right in (("bugdet", "budget"), ("arch_thicknes", "arch_thickness"), ("kadh", "k_adh")):

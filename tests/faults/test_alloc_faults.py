@@ -33,7 +33,7 @@ WALL = ["run", clod.source("tests/cli/wall_friction.yaml"), "-o", "run", "-t", "
                               "steady_blocks=3", "shear_min=1mm", "shear_max=1.2mm")
           for word in ("--set", f"wall_friction.{change}"))]
 # What differs between two runs: the rate and, of check, the lines that follow from it.
-CLOCK = re.compile(r"[0-9.e+-]+ grain-steps/s|[0-9]+ s of work|"
+CLOCK = re.compile(r"[0-9.e+-]+ grain-steps/s|[0-9]+ s of wall-clock time|"
                    r"^(rate|wall-clock|WARNING| .*( with one| free)$).*\n|"
                    r"^ .*(slowest of five|other programs|beside these).*\n|"
                    r'^  "(rate_(one|per|slow)|wall_clock|machine|processor_share|disk_free).*\n',

@@ -215,6 +215,37 @@ static void what_else_may_come_out(void **state)
     assert_true(steep.limit > 0.0 && steep.limit < 8.0 * DEGREE);
 }
 
+/** The field of a wedge has solutions far beyond the limit of a cone, which is no proof of mass flow. */
+static void a_wedge_wider_than_a_cone_may_be_is_not_known(void **state)
+{
+    (void)state;
+    static made of;
+    make_solid(&of, 45.0, 25.0, 1500.0);
+    add_strength(&of, 2.0, 1.6);
+    add_strength(&of, 9.0, 3.7);
+    const clod_hopper_wish wide = wish_of(CLOD_RADIAL_WEDGE, 60.0, CLOD_HOPPER_ARCH_ARNOLD);
+    const clod_hopper_design at = clod_hopper_design_shape(&of.solid, &wide);
+    assert_int_equal(at.outcome, CLOD_HOPPER_UNPROVEN);
+    assert_true(clod_hopper_is_critical(&at) && at.outlet > 0.0);
+    clod_hopper_wish edge =
+        wish_of(CLOD_RADIAL_WEDGE, at.limit / DEGREE, CLOD_HOPPER_ARCH_ARNOLD);
+    edge.half_angle = at.limit - 1e-9;
+    assert_int_equal(clod_hopper_design_shape(&of.solid, &edge).outcome, CLOD_HOPPER_FLOWS);
+    edge.half_angle = at.limit + 1e-9;
+    assert_int_equal(clod_hopper_design_shape(&of.solid, &edge).outcome, CLOD_HOPPER_UNPROVEN);
+    // a cone so wide has no field at all
+    edge.shape = CLOD_RADIAL_CONE;
+    edge.half_angle = at.limit + 0.5 * DEGREE;
+    assert_int_equal(clod_hopper_design_shape(&of.solid, &edge).outcome, CLOD_HOPPER_FUNNEL);
+    // nor is it known when no arch stands
+    make_solid(&of, 45.0, 25.0, 1500.0);
+    add_strength(&of, 2.0, 0.2);
+    add_strength(&of, 9.0, 0.9);
+    const clod_hopper_design none = clod_hopper_design_shape(&of.solid, &wide);
+    assert_int_equal(none.outcome, CLOD_HOPPER_UNPROVEN);
+    assert_true(none.outlet == 0.0 && !clod_hopper_is_critical(&none));
+}
+
 /** More strength, a rougher wall, less weight: a larger outlet or a steeper hopper. */
 static void results_follow_what_was_measured(void **state)
 {
@@ -237,6 +268,7 @@ int main(void)
         cmocka_unit_test(adhesion_at_small_stresses_only),
         cmocka_unit_test(both_fits_of_h),
         cmocka_unit_test(what_else_may_come_out),
+        cmocka_unit_test(a_wedge_wider_than_a_cone_may_be_is_not_known),
         cmocka_unit_test(results_follow_what_was_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -191,6 +191,91 @@ class Hopper(clod.Case):
         with open(self.path("rough.svg")) as file:
             self.assertIn("cone: funnel flow", file.read())
 
+    def test_a_wedge_flatter_than_a_cone_may_be_is_not_called_mass_flow(self):
+        """The field has a solution for 60 deg, far beyond any chart; headline, shares, warning, JSON and
+        chart say that mass flow is not known."""
+        self.start(CASE.replace("20 deg", "25 deg") + "wedge: {half_angle: 60 deg, outlet: 1 m}\n")
+        told = self.hopper("case.yaml", "-o", "flat").stdout
+        cone, wedge = told.split("\nWedge, slot")
+        self.assertIn("  Mass flow, and no cohesive arch", cone)
+        self.assertNotIn("Mass flow, and", wedge)
+        found = self.found()["wedge"]
+        limit = found["limit_deg"]["value"]
+        self.assertTrue(10.0 < limit < 25.0)
+        words = " ".join(wedge.split())
+        self.assertIn(f"Not known to be mass flow: a wedge steeper than {limit:.1f} deg is, this one has 60.0 deg.",
+                      words)
+        self.assertIn(f"half angle of 60.0 deg is {60 - limit:.1f} deg flatter than the limit of mass flow in a "
+                      f"cone, {limit:.1f} deg.", words)
+        self.assertIn("Outlet of 1000.0 mm, if it is mass flow", wedge)
+        self.assertEqual(found["outcome"], "mass_flow_unknown")
+        self.assertEqual(found["sample_shares"]["flows"], 0.0)
+        self.assertGreater(found["sample_shares"]["mass_flow_unknown"], 0.9)
+        with open(self.path("flat.svg")) as file:
+            chart = file.read()
+        self.assertRegex(chart, r">wedge, ff = [0-9.]+ \(not known to be mass flow\)<")
+        self.assertRegex(chart, r">cone, ff = [0-9.]+<")
+
+    def test_a_half_angle_inside_the_margin_is_warned_of(self):
+        self.start()
+        limit = self.found()["cone"]["limit_deg"]["value"]
+        for shape, more in (("cone", ""), ("wedge", " A wedge may be flatter, see docs/theory/hopper.md.")):
+            told = self.hopper("case.yaml", "--set", f"{shape}.half_angle={limit - 2} deg").stdout
+            warned = " ".join(told.partition("Warnings")[2].split())
+            self.assertRegex(warned, rf"{shape.capitalize()}: the half angle of [0-9.]+ deg is steeper than the limit of "
+                             rf"mass flow in a cone, [0-9.]+ deg, by less than the margin of 3\.0 deg\.{more} - ")
+            told = self.hopper("case.yaml", "--set", f"{shape}.half_angle={limit - 6} deg").stdout
+            self.assertNotIn("by less than the margin", " ".join(told.split()))
+
+    def test_what_is_not_known_is_not_printed(self):
+        """No state "there" without a critical outlet: 46 deg of the wall are not 90, and samples that have
+        one do not make an interval of a number without a value."""
+        self.start(CASE.replace("angle: 20 deg, error: 1 deg", "angle: 46 deg, error: 8 deg"))
+        told = self.hopper("case.yaml").stdout
+        for name in ("flow factor ff", "critical sigma_1", "phi_e there", "wall friction angle there",
+                     "bulk density there", r"H\(theta\)"):
+            self.assertEqual(len(re.findall(name + r" +- +- +- *(?:deg|kPa|kg/m3)?\n", told)), 2, (name, told))
+        self.assertEqual(len(re.findall(r"half angle +none ", told)), 2)
+        cone = self.found()["cone"]
+        self.assertGreater(cone["sample_shares"]["flows"], 0.05)
+        self.assertEqual(cone["phi_w_deg"], {"value": None, "low": None, "high": None})
+        self.start(CASE, "2,0.1,0,45,40,1250\n8,0.4,0,45,40,1350\n")  # no arch at any outlet
+        cone = self.found()["cone"]
+        for key in ("phi_e_deg", "phi_w_deg", "rho_b_kg_m3"):
+            self.assertIsNone(cone[key]["value"])
+        self.assertIsNotNone(cone["flow_factor"]["value"])
+
+    def test_ratholes_where_jenikes_function_is_not_known(self):
+        """G is known from 30 to 70 deg. phi_t of 29 +- 4 deg has no rathole, and no interval of those samples
+        that have; 31 +- 4 deg has one, and what its interval is from is said: P(normal < -0.25) = 40 %."""
+        head = FLOW.replace("phi_t [deg]", "phi_t [deg],phi_t_error [deg]")
+        more = CASE + "silo: {diameter: 3 m, height: 8 m}\n"
+        self.start(more)
+        self.write("flow.csv", head + "2,1.4,0.05,48,29,4,1250\n8,2.9,0.08,46,29,4,1350\n")
+        told = self.hopper("case.yaml").stdout
+        self.assertRegex(told, r"diameter, emptying \(least\) +- +- +- +mm\n")
+        self.assertRegex(told, r"diameter, after filling \(most\) +- +- +- +mm\n")
+        words = " ".join(told.split())
+        for when in ("emptying", "after filling"):
+            self.assertIn(f"No rathole diameter, {when}: Jenike's function G is known from 30 to 70 deg, and the "
+                          "static angle of internal friction is 29.0 deg.", words)
+        self.write("case.yaml", more + "static_friction: {angle: 31 deg, error: 4 deg}\n")
+        told = " ".join(self.hopper("case.yaml").stdout.split())
+        shares = self.found()["rathole"]["sample_shares"]
+        for when, key in (("emptying", "emptying"), ("after filling", "filling")):
+            self.assertAlmostEqual(shares[key], 0.6, delta=0.15)  # of 100 samples: 3 x 0.049
+            self.assertIn(f"Rathole, {when}: in {100 * (1 - shares[key]):.1f} % of the samples the static angle of "
+                          "internal friction is outside 30 to 70 deg", told)
+
+    def test_intervals_without_errors_are_the_value(self):
+        """To the last printed digit, at an outlet that is nearly infinite."""
+        self.start(CASE.replace(", error: 1 deg", ""), "2,2.5,0,48,40,1250\n8,6.85,0,46,40,1350\n")
+        told = self.hopper("case.yaml").stdout
+        rows = re.findall(r"^  [a-z].*?  +([0-9.]+) +([0-9.]+) +([0-9.]+)(?:  \S+)?$", told, re.MULTILINE)
+        self.assertGreater(len(rows), 15)
+        for value, low, high in rows:
+            self.assertEqual((low, high), (value, value), told)
+
     def test_extrapolation_is_said(self):
         self.start(CASE, "20,4.2,0,45,40,1250\n40,7.2,0,45,40,1350\n")
         self.assertIn("outside what was measured, 20.000 to 40.000 kPa: an extrapolation",
@@ -336,6 +421,23 @@ class Hopper(clod.Case):
                    "4,,1,1.4\n")
         self.refuse(tests, ['p.csv:2: column tau_pre: "" is empty; fill it in.'])
         self.assertNotIn("--tau-pre", self.hopper("case.yaml", code=2).stderr)
+
+    def test_yield_loci_that_no_solid_has(self):
+        """A falling one and one whose sigma_2 is tension say so, not that a column is missing. By hand, of the
+        second: tau = 9 + 0.577 sigma, and the circle through the preshear point (4, 11) that touches it."""
+        tests = "flow_function: {shear_tests: [{points: p.csv}, {points: q.csv}]}\nwall_friction: {angle: 18 deg}\n"
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        for cohesion, slope, tau_pre, words in (
+                (3.0, -0.5, 1.5, ["p.csv and those after it: The yield locus at a preshear stress of 4.000 kPa falls "
+                                  "(phi_lin = -26.6 deg): peak shear stress must rise with normal stress."]),
+                (9.0, 0.577, 11.0, ["phi_e is undefined in every yield locus, since sigma_2 is tension (-",
+                                    "at a preshear stress of 4.000 kPa)", "give the key effective_friction."])):
+            for name, times in (("p.csv", 1), ("q.csv", 2)):
+                self.write(name, head + "".join(
+                    f"{4 * times},{times * tau_pre},{times * s},{times * (cohesion + slope * s)},1300\n"
+                    for s in (1.0, 2.0, 3.0)))
+            self.refuse(tests, words)
+            self.assertNotIn("neither the key", self.hopper("case.yaml", code=2).stderr)
 
     def test_tables_with_mistakes(self):
         self.refuse(CASE, ["flow.csv:1: the header has no column f_c", "sigma_1 [kPa],f_c"],

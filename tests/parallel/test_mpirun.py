@@ -33,7 +33,7 @@ def start(ranks, *arguments):
 
 
 def without_clock(report):
-    return re.sub(r"\d+ s of work", "", report)
+    return re.sub(r"\d+ s of wall-clock time", "", report)
 
 
 def run(ranks, *arguments):

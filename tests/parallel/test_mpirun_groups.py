@@ -26,7 +26,7 @@ PARTS = [f"seed-{seed}-{part}" for seed in (7, 8)
 
 
 def without_clock(report):
-    return re.sub(r"\d+ s of work", "", report)
+    return re.sub(r"\d+ s of wall-clock time", "", report)
 
 
 def run(ranks, *arguments):

@@ -352,10 +352,18 @@ class Report(clod.Case):
         pages.free_run(self.path("run"))
         pages.uniaxial(self.path("other"))
         os.mkdir(self.path("empty"))
+        pages.write(self.path("fitted"), calibration__json={})
         with open(self.path("lab.csv"), "w") as file:
             file.write(LAB)
         for arguments, text in ((["report"], "which run?"),
-                                (["report", "empty"], "is not the results folder of a run"),
+                                (["report", "empty"], "empty is not the results folder of a run: it has no file "
+                                 "case-complete.yaml. Name one, e.g. run/first."),
+                                (["report", "none"], "none does not exist. Name the results folder of a run"),
+                                (["report", "lab.csv"], "lab.csv is a file, not the results folder of a run. Name a "
+                                 "folder, e.g. run/first; clod hopper -o draws the chart of a design itself."),
+                                (["compare", "run", "lab.csv"], "lab.csv is a file, not"),
+                                (["compare", "run", "fitted"], "fitted is the results folder of a calibration, not of a "
+                                 "run: clod report makes a page of it; clod compare takes runs"),
                                 (["report", "run", "other", "-o", "a.html"], "there are several runs"),
                                 (["report", "run", "--lab", "lab.csv"], "is no shear or wall friction test"),
                                 (["compare", "run", "other"], "is of another kind")):
