@@ -126,9 +126,9 @@ static void cut(const clod_mesh_pair_facet *self, const stand *own, clod_vec3 en
 }
 
 /** Whether two cuts, which lie on one line, have a segment in common that is longer than `least`;
- *  and its middle. */
+ *  its middle and its direction. */
 static bool has_common_segment(const clod_vec3 a[2], const clod_vec3 b[2], double least,
-                               clod_vec3 *middle)
+                               clod_vec3 *middle, clod_vec3 *direction)
 {
     const clod_vec3 run = clod_vec3_sub(a[1], a[0]);
     const double length = clod_vec3_length(run);
@@ -140,7 +140,38 @@ static bool has_common_segment(const clod_vec3 a[2], const clod_vec3 b[2], doubl
     const double q = clod_vec3_dot(clod_vec3_sub(b[1], a[0]), along);
     const double low = fmax(0.0, fmin(p, q)), high = fmin(length, fmax(p, q));
     *middle = clod_vec3_axpy(a[0], 0.5 * (low + high), along);
+    *direction = along;
     return high - low > least;
+}
+
+/** Whether a facet goes on from a point of its cut by a plane to more than `least` off the plane, to
+ *  each side, or to the one where it lies if an edge is in the plane. Heights of corners do not tell: those
+ *  of a needle may lie far from the other facet, whose plane rounding tilts. */
+static bool reaches(const clod_mesh_pair_facet *self, const stand *own,
+                    const clod_mesh_pair_facet *plane, const clod_vec3 cut_at[2], double least)
+{
+    const clod_vec3 way = clod_vec3_cross(self->normal, cut_at[1]); // across the cut
+    double far[2] = {INFINITY, INFINITY};                           // along it, to both sides
+    for (int e = 0; e < 3; e++) {
+        const clod_vec3 edge = clod_vec3_sub(self->corner[(e + 1) % 3], self->corner[e]);
+        const clod_vec3 outwards = clod_vec3_cross(edge, self->normal);
+        const clod_vec3 arm = clod_vec3_sub(self->corner[e], cut_at[0]);
+        const double slope = clod_vec3_dot(way, outwards);
+        if (slope != 0.0) {
+            const double until = clod_vec3_dot(arm, outwards) / slope;
+            far[slope < 0.0] = fmin(far[slope < 0.0], fabs(until));
+        }
+    }
+    const double rise = clod_vec3_dot(way, plane->normal); // times the length of the normal
+    const double most = least * least * plane->square;
+    const bool has[2] = {own->above > 0, own->below > 0};
+    for (int side = 0; side < 2; side++) {
+        const double height = far[(side == 1) != (rise < 0.0)] * rise;
+        if (has[side] && height * height <= most) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static bool cross(const clod_mesh *mesh, const clod_mesh_pair_facet *a, const stand *of_a,
@@ -149,10 +180,13 @@ static bool cross(const clod_mesh *mesh, const clod_mesh_pair_facet *a, const st
     clod_vec3 cuts[2][2];
     cut(a, of_a, cuts[0]);
     cut(b, of_b, cuts[1]);
+    clod_vec3 middle[2]; // of the common segment, and its direction
     if (!has_common_segment((const clod_vec3 *)cuts[0], (const clod_vec3 *)cuts[1], mesh->weld,
-                            at)) {
+                            &middle[0], &middle[1]) ||
+        !reaches(a, of_a, b, middle, mesh->weld) || !reaches(b, of_b, a, middle, mesh->weld)) {
         return false;
     }
+    *at = middle[0];
     const int edges[2] = {edge_in_plane(of_a), edge_in_plane(of_b)};
     return (edges[0] == 3 || goes_on(mesh, a, of_a, edges[0], b)) &&
            (edges[1] == 3 || goes_on(mesh, b, of_b, edges[1], a));

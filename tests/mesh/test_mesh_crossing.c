@@ -171,26 +171,35 @@ static void what_touches_does_not_cross(void **state)
     assert_int_equal(crossing(made), 0);
 }
 
-/** Needles of a sheet, bent a little, whose corners stand off by rounding, in either direction. */
+/** A place, off by a step of a float in each direction. */
+static void jitter(dice *roll, const double at[3], float to[3])
+{
+    turn(at, true, to);
+    for (int c = 0; c < 3; c++) {
+        to[c] += (float)(0x1p-23 * floor(dice_real(roll, -1.0, 2.0)));
+    }
+}
+
+/** Needles of two sheets that meet along a line, which each cuts at other places; corners are off by
+ *  rounding, to either side of the other sheet. */
 static void needles_that_rounding_moves_do_not_cross(void **state)
 {
     (void)state;
     dice roll = {3};
     for (int round = 0; round < 20; round++) {
         maker *made = maker_new();
-        float points[2][200][3];
-        for (int k = 0; k < 200; k++) {
-            for (int side = 0; side < 2; side++) {
-                const double along = 1e-5 * k + 4e-6 * dice_real(&roll, -1.0, 1.0);
-                turn((double[3]){side, along, 0.3 * along * along}, true, points[side][k]);
-                for (int c = 0; c < 3; c++) { // one step of a float
-                    points[side][k][c] += (float)(0x1p-23 * floor(dice_real(&roll, -1.0, 2.0)));
+        for (int sheet = 0; sheet < 2; sheet++) {
+            float near[2][3], far[2][3];
+            for (int k = 0; k <= 200; k++) {
+                const double along = 1e-3 * (k + dice_real(&roll, -0.4, 0.4));
+                const double off[2][3] = {{along, 1, 0}, {along, -0.6, 0.1 * round}};
+                jitter(&roll, (double[3]){along, 0, 0}, near[k % 2]);
+                jitter(&roll, off[sheet], far[k % 2]);
+                if (k > 0) {
+                    maker_add(made, near[0], far[0], near[1]);
+                    maker_add(made, far[0], far[1], near[1]);
                 }
             }
-        }
-        for (int k = 0; k + 1 < 200; k++) {
-            maker_add(made, points[0][k], points[1][k], points[0][k + 1]);
-            maker_add(made, points[1][k], points[1][k + 1], points[0][k + 1]);
         }
         assert_int_equal(crossing(made), 0);
     }
