@@ -52,7 +52,7 @@ const clod_mesh_words CLOD_MESH_FINDINGS[CLOD_MESH_KINDS] = {
     [CLOD_MESH_CROSSING] =
         {"crossing_facets", "facet", "facets", " cut through by another", "kept",
          "Where they cross, grains feel a groove on every side: each pushes with its "
-         "full overlap. What pokes through is felt there too."},
+         "full overlap. What pokes through pushes there too."},
 };
 
 const char *const CLOD_MESH_EDGES[CLOD_MESH_EDGE_KINDS] = {

@@ -54,7 +54,7 @@ static sight by_hand(double angle, clod_vec3 p)
 }
 
 /** In all four sectors a grain is in a groove: each sheet pushes with its full overlap, straight away
- *  from it, but not what of it lies behind the other. So no ridge is felt. */
+ *  from it, but not what of it lies behind the other. So no ridge pushes. */
 static void crossing_sheets_push_as_sides_of_grooves(void **state)
 {
     (void)state;
