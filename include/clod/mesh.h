@@ -107,6 +107,7 @@ typedef enum clod_mesh_kind {
     CLOD_MESH_NEEDLE,      ///< facets with one very short edge
     CLOD_MESH_SLIVER,      ///< facets with a very small height and no very short edge
     CLOD_MESH_OVERLAP,     ///< facets that lie over an earlier one in one plane
+    CLOD_MESH_CROSSING,    ///< facets that cut through another one
     CLOD_MESH_KINDS,
 } clod_mesh_kind;
 
@@ -117,7 +118,8 @@ typedef struct clod_mesh_place {
     uint32_t number; ///< of the facet in its file, from 1
     uint32_t part;
     double point[3]; ///< m
-    uint32_t other;  ///< of CLOD_MESH_OVERLAP: number of the earliest facet below; else 0
+    uint32_t other;  ///< of CLOD_MESH_OVERLAP: number of the earliest facet below; of
+                     ///< CLOD_MESH_CROSSING: of the earliest that crosses it; else 0
 } clod_mesh_place;
 
 /** Everything of one kind that was found. */

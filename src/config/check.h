@@ -68,6 +68,14 @@ void clod_check_streams(clod_loader *loader, const clod_case *self);
  */
 double clod_check_rest_fraction(const clod_case *self, size_t index);
 
+/** Bytes of the text of clod_check_falls_back. */
+#define CLOD_CHECK_BACK_TEXT 240
+
+/** Whether grains of an inlet are thrown upwards so slowly that they turn inside their region and fall back
+ *  through it; and how far they rise, and the speed that would do (check_stream.c, region_clear.h). */
+bool clod_check_falls_back(const clod_case *self, size_t index,
+                           char text[CLOD_CHECK_BACK_TEXT]);
+
 /** Check the face that grains come through, and complete it (check_region.c). */
 bool clod_check_face(clod_loader *loader, const char *path, clod_case_grains *grains);
 

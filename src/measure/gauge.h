@@ -41,6 +41,7 @@ enum {
     CLOD_GAUGE_ALL_RADIUS,                      ///< kg m, of m r of all grains
     CLOD_GAUGE_WORK,                            ///< J, of the belt
     CLOD_GAUGE_TIME,                            ///< s, in which it was done
+    CLOD_GAUGE_BELT_SPEED, ///< kg m/s, of the mass inside times the belt's speed at that moment
     CLOD_GAUGE_SUMS
 };
 

@@ -26,14 +26,14 @@ void clod_mesh_note(clod_mesh *self, clod_mesh_kind kind, uint32_t facet, clod_v
     self->found[facet] = (uint16_t)(self->found[facet] | 1u << kind);
 }
 
-void clod_mesh_note_over(clod_mesh *self, uint32_t facet, uint32_t other)
+void clod_mesh_note_pair(clod_mesh *self, clod_mesh_kind kind, uint32_t facet, uint32_t other,
+                         clod_vec3 point)
 {
-    clod_mesh_finding *finding = &self->findings[CLOD_MESH_OVERLAP];
-    clod_mesh_note(self, CLOD_MESH_OVERLAP, facet, clod_mesh_centre(self, facet));
+    clod_mesh_finding *finding = &self->findings[kind];
+    clod_mesh_note(self, kind, facet, point);
     if (finding->count <= CLOD_MESH_PLACES) {
         finding->places[finding->count - 1].other = self->number[other];
     }
-    self->found[other] = (uint16_t)(self->found[other] | 1u << CLOD_MESH_OVERLAP);
 }
 
 bool clod_mesh_lacks_memory(const clod_mesh *self, clod_status *status)
@@ -145,8 +145,8 @@ static bool build(clod_mesh *self, clod_mesh_source *source, const clod_mesh_pla
     clod_memory_free(corners);
     return joined && clod_mesh_vertices_place(self, placing, status) &&
            clod_mesh_vertices_weld(self, status) && clod_mesh_facets_clean(self, status) &&
-           clod_mesh_overlaps_find(self, status) && clod_mesh_edges_pair(self, status) &&
-           clod_mesh_edges_turn(self, status) && clod_mesh_seams_find(self, status) &&
+           clod_mesh_edges_pair(self, status) && clod_mesh_edges_turn(self, status) &&
+           clod_mesh_seams_find(self, status) && clod_mesh_overlaps_find(self, status) &&
            clod_mesh_shells_number(self, status);
 }
 

@@ -21,7 +21,7 @@ struct clod_mesh {
     uint8_t *ends; ///< [facet_count] bit e: a piece of edge e on a T has no partner, or several
     uint32_t (*overlaps)[2]; ///< [overlap_count] pairs of facets that lie over each other
     size_t overlap_count;
-    size_t unsearched; ///< facets for which no others over them were looked for
+    size_t unsearched; ///< facets for which no others over or through them were looked for
     clod_mesh_part *parts;
     size_t read_facets; ///< of the file
     double weld;        ///< m, distance up to which vertices are one: four steps of a float
@@ -31,8 +31,9 @@ struct clod_mesh {
 /** Record a finding at a facet. */
 void clod_mesh_note(clod_mesh *self, clod_mesh_kind kind, uint32_t facet, clod_vec3 point);
 
-/** Record that a facet lies over another one. */
-void clod_mesh_note_over(clod_mesh *self, uint32_t facet, uint32_t other);
+/** Record a finding at a facet that has to do with another one. */
+void clod_mesh_note_pair(clod_mesh *self, clod_mesh_kind kind, uint32_t facet, uint32_t other,
+                         clod_vec3 point);
 
 /** Record that there is no memory; false. */
 bool clod_mesh_lacks_memory(const clod_mesh *self, clod_status *status);

@@ -53,7 +53,9 @@ static json_t *finding_of(const clod_mesh *self, int kind, const clod_mesh_findi
                                   text_of(self->view.parts[at->part].name), "point_m",
                                   vector_of(at->point));
         if (at->other != 0) {
-            json_object_set_new(place, "over_facet", json_integer((json_int_t)at->other));
+            json_object_set_new(place,
+                                kind == CLOD_MESH_CROSSING ? "through_facet" : "over_facet",
+                                json_integer((json_int_t)at->other));
         }
         json_array_append_new(places, place);
     }

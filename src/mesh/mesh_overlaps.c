@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "base/room.h"
+#include "mesh/mesh_pair.h"
 #include "mesh/mesh_points.h"
 
 #define DEPTH 64 ///< boxes that wait to be looked at; the tree has at most 24 levels
@@ -13,92 +14,19 @@ typedef struct search {
     clod_mesh *mesh;
     clod_mesh_points tree; ///< of centres; its boxes are made wider, to hold the facets
     double (*centres)[3];  ///< [facet_count]
-    uint32_t *over;   ///< [facet_count] the earliest facet under this one; its own number: none
-    uint32_t *joined; ///< [facet_count] another facet of the same group, or itself
+    uint32_t *over;    ///< [facet_count] the earliest facet under this one, or its own number
+    uint32_t *through; ///< [facet_count] the earliest that crosses this one, or its own number
+    uint32_t *joined;  ///< [facet_count] another facet of the same group, or itself
     size_t room;
     uint64_t left; ///< steps
 } search;
 
-/** A facet while it is compared with others; the normal is found where boxes meet. */
-typedef struct facet {
-    uint32_t number;
-    clod_vec3 corner[3];
-    clod_vec3 normal; ///< as long as twice the area
-    double square;    ///< of its length
-    double low[3], high[3];
-} facet;
-
-static void facet_of(const clod_mesh *mesh, uint32_t number, facet *self)
-{
-    self->number = number;
-    for (int c = 0; c < 3; c++) {
-        self->corner[c] = clod_mesh_corner(mesh, number, c);
-    }
-    for (int k = 0; k < 3; k++) {
-        const double *a = mesh->vertices[mesh->facets[number][0]];
-        const double *b = mesh->vertices[mesh->facets[number][1]];
-        const double *c = mesh->vertices[mesh->facets[number][2]];
-        self->low[k] = fmin(a[k], fmin(b[k], c[k]));
-        self->high[k] = fmax(a[k], fmax(b[k], c[k]));
-    }
-}
-
-static void find_normal(facet *self)
-{
-    self->normal = clod_vec3_cross(clod_vec3_sub(self->corner[1], self->corner[0]),
-                                   clod_vec3_sub(self->corner[2], self->corner[0]));
-    self->square = clod_vec3_dot(self->normal, self->normal);
-}
-
 /** Whether boxes, the second one from `low` to `high`, have no point in common. */
-static bool is_apart(const facet *self, const double low[3], const double high[3])
+static bool is_apart(const clod_mesh_pair_facet *self, const double low[3],
+                     const double high[3])
 {
     return low[0] > self->high[0] || high[0] < self->low[0] || low[1] > self->high[1] ||
            high[1] < self->low[1] || low[2] > self->high[2] || high[2] < self->low[2];
-}
-
-/** Whether the corners of a facet lie in the plane of another one. */
-static bool lies_in(const clod_mesh *mesh, const facet *self, const facet *plane)
-{
-    const double most = mesh->weld * mesh->weld * plane->square;
-    for (int c = 0; c < 3; c++) {
-        const clod_vec3 arm = clod_vec3_sub(self->corner[c], plane->corner[0]);
-        const double height = clod_vec3_dot(arm, plane->normal);
-        if (height * height > most) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/** Where a facet is along a direction. */
-static void project(const facet *self, clod_vec3 along, double *low, double *high)
-{
-    const double x = clod_vec3_dot(self->corner[0], along);
-    const double y = clod_vec3_dot(self->corner[1], along);
-    const double z = clod_vec3_dot(self->corner[2], along);
-    *low = fmin(x, fmin(y, z));
-    *high = fmax(x, fmax(y, z));
-}
-
-/** Whether no line along an edge parts two facets of one plane: then they have an area in common
- *  that is wider than `least` across every edge. */
-static bool has_common_area(const facet *a, const facet *b, double least)
-{
-    const clod_vec3 normal = a->square >= b->square ? a->normal : b->normal;
-    for (int e = 0; e < 6; e++) {
-        const facet *of = e < 3 ? a : b;
-        const clod_vec3 edge = clod_vec3_sub(of->corner[(e + 1) % 3], of->corner[e % 3]);
-        const clod_vec3 across = clod_vec3_cross(normal, edge); // not of unit length
-        double low[2], high[2];
-        project(a, across, &low[0], &high[0]);
-        project(b, across, &low[1], &high[1]);
-        const double common = fmin(high[0], high[1]) - fmax(low[0], low[1]);
-        if (common <= 0.0 || common * common <= least * least * clod_vec3_dot(across, across)) {
-            return false;
-        }
-    }
-    return true;
 }
 
 /** The facet that stands for the group of another one. */
@@ -111,8 +39,15 @@ static uint32_t group_of(search *self, uint32_t number)
     return number;
 }
 
+/** Record that two facets cross. */
+static void record_crossing(search *self, uint32_t a, uint32_t b)
+{
+    self->through[a] = b < self->through[a] || self->through[a] == a ? b : self->through[a];
+    self->through[b] = a < self->through[b] || self->through[b] == b ? a : self->through[b];
+}
+
 /** Record that two facets lie over each other; false without memory. */
-static bool record(search *self, uint32_t a, uint32_t b)
+static bool record_over(search *self, uint32_t a, uint32_t b)
 {
     clod_mesh *mesh = self->mesh;
     const uint32_t first = a < b ? a : b, later = a < b ? b : a;
@@ -133,22 +68,25 @@ static bool record(search *self, uint32_t a, uint32_t b)
 }
 
 /** Compare a facet with those of a leaf that come after it; false without memory. */
-static bool look(search *self, const facet *own, size_t place, size_t from)
+static bool look(search *self, const clod_mesh_pair_facet *own, size_t place, size_t from)
 {
     const clod_mesh_points *tree = &self->tree;
-    const double least = 2.0 * self->mesh->weld;
     for (size_t k = from; k < from + CLOD_MESH_POINTS_LEAF && k < tree->count; k++) {
-        facet other;
+        clod_mesh_pair_facet other;
         if (k <= place) {
             continue;
         }
-        facet_of(self->mesh, tree->order[k], &other);
+        clod_mesh_pair_corners(self->mesh, tree->order[k], &other);
         if (is_apart(own, other.low, other.high)) {
             continue;
         }
-        find_normal(&other);
-        if ((lies_in(self->mesh, own, &other) || lies_in(self->mesh, &other, own)) &&
-            has_common_area(own, &other, least) && !record(self, own->number, other.number)) {
+        clod_mesh_pair_plane(&other);
+        clod_vec3 at;
+        const clod_mesh_pair pair = clod_mesh_pair_of(self->mesh, own, &other, &at);
+        if (pair == CLOD_MESH_PAIR_CROSSING) {
+            record_crossing(self, own->number, other.number);
+        }
+        if (pair == CLOD_MESH_PAIR_OVER && !record_over(self, own->number, other.number)) {
             return false;
         }
     }
@@ -166,9 +104,9 @@ static bool look_after(search *self, size_t place)
     const clod_mesh_points *tree = &self->tree;
     box waiting[DEPTH] = {{0, 0, tree->leaves * CLOD_MESH_POINTS_LEAF}};
     size_t count = 1;
-    facet own;
-    facet_of(self->mesh, tree->order[place], &own);
-    find_normal(&own);
+    clod_mesh_pair_facet own;
+    clod_mesh_pair_corners(self->mesh, tree->order[place], &own);
+    clod_mesh_pair_plane(&own);
     for (int k = 0; k < 3; k++) { // planes may be so far apart
         own.low[k] -= self->mesh->weld;
         own.high[k] += self->mesh->weld;
@@ -204,8 +142,8 @@ static void widen(search *self)
         const size_t from = leaf ? (n - (tree->leaves - 1)) * CLOD_MESH_POINTS_LEAF : 0;
         for (size_t k = from; leaf && k < from + CLOD_MESH_POINTS_LEAF && k < tree->count;
              k++) {
-            facet own;
-            facet_of(self->mesh, tree->order[k], &own);
+            clod_mesh_pair_facet own;
+            clod_mesh_pair_corners(self->mesh, tree->order[k], &own);
             clod_mesh_points_grow(around, own.low, own.high);
         }
         for (size_t below = 2 * n + 1; !leaf && below <= 2 * n + 2; below++) {
@@ -220,13 +158,15 @@ static bool begin(search *self)
     self->left = CLOD_MESH_OVERLAPS_STEPS + CLOD_MESH_OVERLAPS_STEPS_EACH * (uint64_t)count;
     self->centres = clod_memory_alloc(count, sizeof *self->centres);
     self->over = clod_memory_alloc(count, sizeof *self->over);
+    self->through = clod_memory_alloc(count, sizeof *self->through);
     self->joined = clod_memory_alloc(count, sizeof *self->joined);
-    if (self->centres == NULL || self->over == NULL || self->joined == NULL) {
+    if (self->centres == NULL || self->over == NULL || self->through == NULL ||
+        self->joined == NULL) {
         return false;
     }
     for (uint32_t f = 0; f < count; f++) {
         clod_vec3_put(self->centres[f], clod_mesh_centre(self->mesh, f));
-        self->over[f] = self->joined[f] = f;
+        self->over[f] = self->through[f] = self->joined[f] = f;
     }
     if (!clod_mesh_points_init(&self->tree, (const double(*)[3])self->centres, self->joined,
                                count)) {
@@ -234,6 +174,29 @@ static bool begin(search *self)
     }
     widen(self);
     return true;
+}
+
+/** Note what was found, in the order of the file. */
+static void note_all(const search *self)
+{
+    clod_mesh *mesh = self->mesh;
+    for (uint32_t f = 0; f < mesh->view.facet_count; f++) {
+        const uint32_t over = self->over[f], through = self->through[f];
+        if (over != f) {
+            clod_mesh_note_pair(mesh, CLOD_MESH_OVERLAP, f, over, clod_mesh_centre(mesh, f));
+            mesh->found[over] = (uint16_t)(mesh->found[over] | 1u << CLOD_MESH_OVERLAP);
+        }
+        if (through != f) {
+            clod_mesh_pair_facet own, other;
+            clod_mesh_pair_corners(mesh, f, &own);
+            clod_mesh_pair_corners(mesh, through, &other);
+            clod_mesh_pair_plane(&own);
+            clod_mesh_pair_plane(&other);
+            clod_vec3 at = clod_mesh_centre(mesh, f);
+            (void)clod_mesh_pair_of(mesh, &own, &other, &at);
+            clod_mesh_note_pair(mesh, CLOD_MESH_CROSSING, f, through, at);
+        }
+    }
 }
 
 bool clod_mesh_overlaps_find(clod_mesh *self, clod_status *status)
@@ -246,14 +209,13 @@ bool clod_mesh_overlaps_find(clod_mesh *self, clod_status *status)
         done = look_after(&all, place);
     }
     self->unsearched = count - place;
-    for (uint32_t f = 0; done && f < count; f++) {
-        if (all.over[f] != f) {
-            clod_mesh_note_over(self, f, all.over[f]);
-        }
+    if (done) {
+        note_all(&all);
     }
     clod_mesh_points_fini(&all.tree);
     clod_memory_free(all.centres);
     clod_memory_free(all.over);
+    clod_memory_free(all.through);
     clod_memory_free(all.joined);
     return done || clod_mesh_lacks_memory(self, status);
 }

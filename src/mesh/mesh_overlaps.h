@@ -1,8 +1,9 @@
 #pragma once
 /**
  * @file mesh_overlaps.h
- * Facets of one plane that lie over each other without having the same corners: both sides of a
- * sheet that are cut along other diagonals, plates that were drawn twice.
+ * Facets that share more than an edge or a corner: those of one plane that lie over each other
+ * without having the same corners (both sides of a sheet that are cut along other diagonals, plates
+ * that were drawn twice), and those that cut through each other (bodies pushed into each other).
  */
 
 #include "mesh/mesh.h"
@@ -12,12 +13,14 @@
 #define CLOD_MESH_OVERLAPS_STEPS_EACH 90
 
 /**
- * Note each facet that lies over an earlier one of the file: all corners of one are within
- * self->weld of the plane of the other, and they have an area in common that is wider
- * than twice that in every direction of the plane. Gets overlaps, pairs that join all facets
- * that lie over each other, and unsearched: facets that are left when the steps are used up, as
- * happens when the boxes about many of them meet: long ones that lie aslant side by side.
+ * Note each facet that lies over an earlier one of the file, with the earliest below it, and each
+ * that crosses another one, with the earliest of those (clod_mesh_pair_of says when that is so).
+ * Gets overlaps, pairs that join all facets that lie over each other, and unsearched: facets that
+ * are left when the steps are used up, as happens when the boxes about many of them meet: long
+ * ones that lie aslant side by side.
  *
- * Errors  CLOD_FAILED: memory.   Threads pure.   Test  tests/mesh/test_mesh_overlaps.c
+ * @param self  [in,out] facets are clean, neighbours are known over seams too
+ * Errors  CLOD_FAILED: memory.   Threads pure.
+ * Test    tests/mesh/test_mesh_overlaps.c, test_mesh_crossing.c
  */
 bool clod_mesh_overlaps_find(clod_mesh *self, clod_status *status);

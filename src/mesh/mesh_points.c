@@ -109,10 +109,25 @@ void clod_mesh_points_fini(clod_mesh_points *self)
     *self = (clod_mesh_points){0};
 }
 
-/** Whether a segment passes a box that is larger by `reach` on all sides. */
+// As fmin and fmax for numbers, without a call.
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/** Whether a segment passes a box that is larger by `reach` on all sides; no box of the tree's rest
+ *  that has no points. */
 static bool passes(double box[2][3], const double begin[3], const double end[3], double reach)
 {
     double from = 0.0, to = 1.0;
+    if (box[0][0] > box[1][0]) { // from infinity to minus infinity, which every line would pass
+        return false;
+    }
     for (int k = 0; k < 3; k++) {
         const double low = box[0][k] - reach - begin[k];
         const double high = box[1][k] + reach - begin[k];
@@ -123,8 +138,9 @@ static bool passes(double box[2][3], const double begin[3], const double end[3],
             }
             continue;
         }
-        from = fmax(from, fmin(low / run, high / run));
-        to = fmin(to, fmax(low / run, high / run));
+        const double first = low / run, second = high / run;
+        from = larger(from, smaller(first, second));
+        to = smaller(to, larger(first, second));
     }
     return from <= to;
 }
@@ -176,6 +192,7 @@ bool clod_mesh_points_near(const clod_mesh_points *self, const double begin[3],
     hits->count = 0;
     while (count > 0) {
         const size_t node = waiting[--count];
+        hits->boxes++;
         if (!passes(self->boxes[node], begin, end, reach)) {
             continue;
         }

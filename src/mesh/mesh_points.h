@@ -2,7 +2,8 @@
 /**
  * @file mesh_points.h
  * Points found near a segment: boxes around points that lie near each other on a Z-order curve.
- * Time for a segment grows with the points near it, and with the logarithm of all.
+ * Time for a segment grows with the points near it and with the boxes on its way: of n points that fill
+ * a volume evenly, a long one passes some n^(1/3) boxes, of those that fill a plane n^(1/2).
  */
 
 #include <stdbool.h>
@@ -29,6 +30,7 @@ typedef struct clod_mesh_hit {
 typedef struct clod_mesh_hits {
     clod_mesh_hit *items; ///< [room] owned (clod_memory_free)
     size_t count, room;
+    size_t boxes; ///< that were looked at for all segments: what the searches cost
 } clod_mesh_hits;
 
 /**

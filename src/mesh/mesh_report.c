@@ -49,6 +49,10 @@ const clod_mesh_words CLOD_MESH_FINDINGS[CLOD_MESH_KINDS] = {
                            " over an earlier one in one plane", "kept",
                            "Together they push as one plane, once; where parts differ, the "
                            "first in the file decides."},
+    [CLOD_MESH_CROSSING] =
+        {"crossing_facets", "facet", "facets", " cut through by another", "kept",
+         "Where they cross, grains feel a groove on every side: each pushes with its "
+         "full overlap. What pokes through pushes there too."},
 };
 
 const char *const CLOD_MESH_EDGES[CLOD_MESH_EDGE_KINDS] = {
@@ -241,9 +245,9 @@ static void doubt_facets(const clod_mesh *self, clod_mesh_report *report)
     if (self->unsearched > 0) {
         warn(
             report,
-            "Facets over each other in one plane were looked for at %zu of %zu facets only: too "
-            "many lie over each other, or long ones aslant side by side. The others count as sheets of their own, "
-            "which push once where they lie over each other.",
+            "Facets over each other in one plane, or through each other, were looked for at %zu of %zu "
+            "facets only: too many lie over each other, or long ones aslant side by side. The others "
+            "count as sheets of their own, which push once where they lie over each other.",
             self->view.facet_count - self->unsearched, self->view.facet_count);
     }
     if (report->volume < 0.0) {

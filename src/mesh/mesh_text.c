@@ -71,7 +71,8 @@ static void put_parts(FILE *out, const clod_mesh *self)
     }
 }
 
-static void put_places(FILE *out, const clod_mesh *self, const clod_mesh_finding *finding)
+static void put_places(FILE *out, const clod_mesh *self, int kind,
+                       const clod_mesh_finding *finding)
 {
     for (size_t k = 0; k < finding->count && k < CLOD_MESH_PLACES; k++) {
         const clod_mesh_place *at = &finding->places[k];
@@ -79,7 +80,8 @@ static void put_places(FILE *out, const clod_mesh *self, const clod_mesh_finding
         fprintf(out, "      facet %u%s%s at (%.6g, %.6g, %.6g) m", at->number,
                 name[0] != '\0' ? " of " : "", name, at->point[0], at->point[1], at->point[2]);
         if (at->other != 0) {
-            fprintf(out, ", over facet %u", at->other);
+            fprintf(out, ", %s facet %u", kind == CLOD_MESH_CROSSING ? "through" : "over",
+                    at->other);
         }
         fputc('\n', out);
     }
@@ -102,7 +104,7 @@ static void put_findings(FILE *out, const clod_mesh *self, const clod_mesh_repor
         fprintf(out, "  - %zu %s%s: %s.%s%s\n", finding->count,
                 finding->count == 1 ? words->one : words->many, words->what, words->action,
                 words->advice[0] != '\0' ? " " : "", words->advice);
-        put_places(out, self, finding);
+        put_places(out, self, k, finding);
     }
     if (kinds == 0) {
         fputs("  nothing of what clod looks for\n", out);

@@ -12,6 +12,7 @@ typedef enum clod_mesh_fault {
     CLOD_MESH_FAULT_TWISTED,
     CLOD_MESH_FAULT_DUPLICATE, ///< facets in its place were dropped
     CLOD_MESH_FAULT_OVERLAP,   ///< over or below another one in its plane
+    CLOD_MESH_FAULT_CROSSING,  ///< cut through by another one
     CLOD_MESH_FAULT_TURNED,
     CLOD_MESH_FAULT_NEEDLE,
     CLOD_MESH_FAULT_SLIVER,

@@ -76,6 +76,22 @@ static void warn_rest(const clod_check_subject *subject, clod_check_report *r)
     }
 }
 
+/** Grains that are thrown upwards and turn inside their region meet those that come after them. */
+static void warn_back(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case *from = subject->from;
+    for (size_t k = 0; k < from->grains_count; k++) {
+        char text[CLOD_CHECK_BACK_TEXT];
+        clod_status said;
+        if (from->grains[k].comes && clod_check_falls_back(from, k, text)) {
+            clod_status_fail(&said, CLOD_USAGE,
+                             "grains.%zu.velocity: %s. Or let it lead down, or sideways", k,
+                             text);
+            warn_at(from, r, &said);
+        }
+    }
+}
+
 /** An outlet where grains come in removes them at once. */
 static void warn_outlets(const clod_check_subject *subject, clod_check_report *r)
 {
@@ -133,6 +149,7 @@ void clod_check_streams_warn(const clod_check_subject *subject, clod_check_repor
 {
     warn_speed(subject, r);
     warn_rest(subject, r);
+    warn_back(subject, r);
     warn_outlets(subject, r);
     warn_walls(subject, r);
     clod_setup_regions_doubts(subject->from, &subject->state.walls, true, tell, r);

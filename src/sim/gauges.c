@@ -70,6 +70,32 @@ static void add_sums(double *to, const double *sums)
     }
 }
 
+/** Speed that the first belt of a wall has now [m/s]; it rises during a start-up. */
+static double speed_now(const clod_case *from, const clod_wall *wall)
+{
+    for (size_t w = 0; w < from->wall_count; w++) {
+        const clod_case_wall *asked = &from->walls[w];
+        for (size_t s = 0; strcmp(asked->name, wall->name) == 0 && s < asked->shape_count;
+             s++) {
+            if (asked->shapes[s].belt.run_count > 0) {
+                return asked->shapes[s].belt.speed * (1.0 - wall->belt_lag);
+            }
+        }
+    }
+    return 0.0; // checked at load: it has a belt
+}
+
+/** Note how fast the belt runs below what is inside. */
+static void take_speed(const clod_case *from, const clod_case_gauge *gauge,
+                       const clod_state *state, double *sums)
+{
+    const int32_t w = gauge->belt != NULL ? clod_walls_find(&state->walls, gauge->belt) : -1;
+    if (w >= 0) {
+        sums[CLOD_GAUGE_BELT_SPEED] =
+            sums[CLOD_GAUGE_MASS] * speed_now(from, &state->walls.wall[w]);
+    }
+}
+
 /** What the belt has done since this was asked last. */
 static void take_work(clod_gauge_memory *self, const clod_case_gauge *gauge,
                       const clod_state *state, double *sums)
@@ -123,6 +149,7 @@ static bool gauges_act(void *memory, const clod_free_moment *now, clod_status *s
         sums[k][CLOD_GAUGE_BLOCKED] =
             clod_gauges_watch(&mine->alarm, &from->gauges[k], sums[k], state);
         take_work(mine, &from->gauges[k], state, sums[k]);
+        take_speed(from, &from->gauges[k], state, sums[k]);
         add_sums(mine->row, sums[k]);
         if (block >= 0) {
             add_sums(mine->block[block], sums[k]);

@@ -15,6 +15,7 @@ typedef struct means {
     int samples;
     double mean[CLOD_GAUGE_VALUES];
     double deviation[CLOD_GAUGE_VALUES];
+    double belt_speed; ///< m/s, of the gauge's belt, by the mass that was inside
 } means;
 
 static means means_of(const clod_gauge *gauge, const clod_gauge_memory *memory)
@@ -33,6 +34,7 @@ static means means_of(const clod_gauge *gauge, const clod_gauge_memory *memory)
     }
     clod_gauge_values(gauge, whole, self.mean);
     self.samples = (int)whole[CLOD_GAUGE_SAMPLES];
+    self.belt_speed = whole[CLOD_GAUGE_BELT_SPEED] / whole[CLOD_GAUGE_MASS]; // NAN: of nothing
     for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
         self.deviation[v] = clod_steady_time_deviation(each[v], CLOD_STEADY_BLOCKS);
     }
@@ -89,45 +91,29 @@ static clod_gauge_section section_of(const clod_case_gauge *from, const clod_gau
     return clod_gauge_bins_section(&memory->profile, &axis);
 }
 
-/** Speed of the first belt of a wall [m/s]. */
-static double belt_speed(const clod_case *from, const char *name)
-{
-    for (size_t w = 0; w < from->wall_count; w++) {
-        for (size_t s = 0;
-             strcmp(from->walls[w].name, name) == 0 && s < from->walls[w].shape_count; s++) {
-            if (from->walls[w].shapes[s].belt.run_count > 0) {
-                return from->walls[w].shapes[s].belt.speed;
-            }
-        }
-    }
-    return (double)NAN; // checked at load
-}
-
 /** How the stream meets the belt that takes it. */
 typedef struct landing {
     double along; ///< m/s, the gauge's direction
     double into;  ///< m/s, across that, downwards
-    double belt;  ///< m/s, speed of the belt
+    double belt;  ///< m/s, speed of the belt, a mean by mass as the stream's
 } landing;
 
 /** False where the stream is not known, or no direction is upwards. */
-static bool landing_of(const clod_case *from, const clod_case_gauge *asked,
-                       const clod_gauge *gauge, const means *self, landing *to)
+static bool landing_of(const clod_gauge *gauge, const means *self, landing *to)
 {
     const clod_vec3 velocity = {self->mean[CLOD_GAUGE_OF_VELOCITY],
                                 self->mean[CLOD_GAUGE_OF_VELOCITY + 1],
                                 self->mean[CLOD_GAUGE_OF_VELOCITY + 2]};
     *to = (landing){.along = clod_vec3_dot(velocity, gauge->direction),
                     .into = -clod_vec3_dot(velocity, gauge->up),
-                    .belt = belt_speed(from, asked->belt)};
+                    .belt = self->belt_speed};
     return !isnan(to->along) && clod_vec3_length(gauge->up) > 0.0;
 }
 
-static void report_landing(FILE *out, const clod_case *from, const clod_case_gauge *asked,
-                           const clod_gauge *gauge, const means *self)
+static void report_landing(FILE *out, const clod_gauge *gauge, const means *self)
 {
     landing it;
-    if (landing_of(from, asked, gauge, self, &it)) {
+    if (landing_of(gauge, self, &it)) {
         fprintf(out,
                 "  %-21s %.4g m/s along its direction, %.4g m/s into the belt; along less the "
                 "belt's %.4g m/s: %.4g m/s\n",
@@ -135,9 +121,8 @@ static void report_landing(FILE *out, const clod_case *from, const clod_case_gau
     }
 }
 
-static void report_extras(FILE *out, const clod_case *whole, const clod_case_gauge *from,
-                          const clod_gauge *gauge, const clod_gauge_memory *memory,
-                          const means *self)
+static void report_extras(FILE *out, const clod_case_gauge *from, const clod_gauge *gauge,
+                          const clod_gauge_memory *memory, const means *self)
 {
     if (from->profile_bins > 0) {
         const clod_gauge_section section = section_of(from, gauge, memory);
@@ -153,7 +138,7 @@ static void report_extras(FILE *out, const clod_case *whole, const clod_case_gau
         fprintf(out, "\n");
     }
     if (from->belt != NULL) {
-        report_landing(out, whole, from, gauge, self);
+        report_landing(out, gauge, self);
         fprintf(
             out, "  %-21s belt %s %.4g W: lifting %.4g W, acceleration %.4g W, heat %.4g W\n",
             "", from->belt, self->mean[CLOD_GAUGE_OF_POWER], self->mean[CLOD_GAUGE_OF_LIFTING],
@@ -190,7 +175,7 @@ void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *n
         const means found = means_of(&gauge, &all->gauge[k]);
         if (found.samples > 0) {
             report_stream(out, from, mine, &found);
-            report_extras(out, from, mine, &gauge, &all->gauge[k], &found);
+            report_extras(out, mine, &gauge, &all->gauge[k], &found);
         } else {
             fprintf(out, "  gauge %-15s no means: the run ended before %.6g s\n", mine->name,
                     now->steady.since);
@@ -250,11 +235,10 @@ static void put_alarm(json_t *object, const clod_gauge_alarm *alarm, double dt)
                                        : json_real((double)alarm->slow_since * dt));
 }
 
-static void put_landing(json_t *object, const clod_case *from, const clod_case_gauge *asked,
-                        const clod_gauge *gauge, const means *self)
+static void put_landing(json_t *object, const clod_gauge *gauge, const means *self)
 {
     landing it;
-    if (landing_of(from, asked, gauge, self, &it)) {
+    if (landing_of(gauge, self, &it)) {
         json_object_set_new(object, "landing",
                             json_pack("{s:f, s:f, s:f}", "along_m_per_s", it.along,
                                       "into_m_per_s", it.into, "along_less_belt_m_per_s",
@@ -282,7 +266,7 @@ json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
             }
         }
         if (mine->belt != NULL) {
-            put_landing(one, from, mine, &gauge, &found);
+            put_landing(one, &gauge, &found);
         }
         put_bins(one, mine, &gauge, &all->gauge[k]);
         if (mine->has_blocked) {

@@ -18,6 +18,7 @@ static const struct {
     {CLOD_MESH_DEGENERATE, "facets without area dropped"},
     {CLOD_MESH_DUPLICATE, "double facets dropped"},
     {CLOD_MESH_OVERLAP, "facets over others in one plane"},
+    {CLOD_MESH_CROSSING, "facets through others"},
     {CLOD_MESH_NEEDLE, "needles"},
     {CLOD_MESH_SLIVER, "slivers"},
 };
@@ -61,7 +62,7 @@ static bool look(const clod_case_wall *wall, const clod_case_shape *shape, doubl
             tell(context, true, text);
         }
     }
-    char list[200];
+    char list[240];
     if (good && list_findings(&report, list, sizeof list)) {
         char text[CLOD_MESH_DOUBTS_TEXT];
         snprintf(text, sizeof text, "walls.%s: %s has %s; `clod mesh` says where", wall->name,

@@ -212,6 +212,30 @@ class Gauges(clod.Case):
         pulls = [row["feed.pull"] for row in clod.table(self.path("out/series.csv"))]
         self.assertTrue(math.isnan(pulls[0]) and not math.isnan(pulls[-1]))
 
+    def test_landing_takes_the_belts_speed_at_that_moment(self):
+        """Grains fly through the gauge from 0.2 s to 0.6 s and from 1 s to 1.2 s, over a belt that rises to 2 m/s from
+        0.1 s to 0.5 s: by time 0.375 + 0.2 + 0.4 m of belt pass in 0.6 s, 1.625 m/s, not 2."""
+        self.write("x [m],y [m],z [m],radius [mm],vx [m/s]\n"
+                   "0,0,0,10,0.5\n-0.4,0,0,10,0.5\n", "grains.csv")
+        self.write(ALARM.replace("    blocked: {mass_above: 1 g, speed_below: SPEED, for: 0.05 s}\n", """\
+    direction: [1, 0, 0]
+    across: [0, 1, 0]
+    belt: feed
+walls:
+  feed:
+    material: ore
+    start_up: {at: 0.1 s, duration: 0.4 s}
+    shapes:
+      - belt: {from: [-0.5 m, 0 m, -0.5 m], runs: [{length: 1 m}], width: 100 mm, speed: 2 m/s}
+""").replace("annulus: {center: [0.2 m, 0 m, -0.1 m], outer_radius: 0.1 m, height: 0.2 m}",
+             "box: {min: [0.1 m, -0.1 m, -0.1 m], max: [0.3 m, 0.1 m, 0.1 m]}")
+                   .replace("100 ms}", "100 ms, steady_since: 0 s}"))
+        done = self.go("out")
+        landing = self.summary("out")["gauges"]["slot"]["landing"]
+        self.assertAlmostEqual(landing["along_m_per_s"], 0.5, delta=1e-12)
+        self.assertLess(abs(landing["along_less_belt_m_per_s"] - (0.5 - 0.975 / 0.6)), 0.01)  # samples are 1 ms apart
+        self.assertIn("along less the belt's 1.62", done.stdout)
+
     def fly(self, speed, step="1e-4 s"):
         self.write("x [m],y [m],z [m],radius [mm],vx [m/s]\n"
                    "0,0,0,10,0.5\n-0.4,0,0,10,0.5\n", "grains.csv")

@@ -89,6 +89,39 @@ class Inlets(clod.Case):
         self.assertIn("Give a velocity that leads out of the region, or gravity", said)
         self.assertEqual(self.warnings(0.1, "    velocity: [0 m/s, 0 m/s, 1 m/s]\n", "0 m/s2"), [])
 
+    def judged(self, flow, velocity):
+        """What `clod check` says of an inlet with a velocity along z [m/s]."""
+        self.write(group(f"mass_flow: {flow} kg/s").replace("0 m/s, 0 m/s, -1 m/s", f"0 m/s, 0 m/s, {velocity} m/s"))
+        return clod.run("check", "--json", "case.yaml", cwd=self.folder)
+
+    def test_slow_grains_are_judged_with_gravity(self):
+        """Thrown down at 0.1 m/s they clear 40 mm in (sqrt(v^2 + 2 g h) - v)/g, not in h/v, which would allow a
+        quarter of that flow; thrown up at 0.5 m/s in (v + sqrt(2 g h))/g, since they turn inside."""
+        height, volume = 0.04, 0.16 * 0.16 * 0.04
+        for v, time in ((-0.1, (math.sqrt(0.01 + 2 * GRAVITY * height) - 0.1) / GRAVITY),
+                        (0.5, (0.5 + math.sqrt(2 * GRAVITY * height)) / GRAVITY)):
+            most = 0.25 * DENSITY * volume / time
+            done = self.judged(1.05 * most, v)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("at this velocity are a solid fraction of 0.26", done.stderr)
+            self.assertIn(f"at most {most:.4g} kg/s", done.stderr)
+            self.assertEqual("fall back into the region" in done.stderr, v > 0)
+            self.assertEqual(self.judged(0.99 * most, v).returncode, 0)
+            if v < 0:
+                self.assertNotIn("blocked", self.go("most").stdout)  # there is room for that much
+
+    def test_grains_that_fall_back_are_named(self):
+        """v^2/(2 g) = 12.7 mm of 40 mm; sqrt(2 g h) = 0.8859 m/s does, and what does is not named."""
+        warned = json.loads(self.judged(0.1, 0.5).stdout)["warnings"]
+        said, = [one for one in warned if "fall back" in one]
+        line, text, caret = said.split("\n")[:3]
+        self.assertIn("case.yaml:12:5: grains.0.velocity: grains rise by 12.7 mm and fall back into the region, 40 mm "
+                      "high; from 0.8859 m/s on in this direction they leave it before they turn. Or let it lead down", line)
+        self.assertIn("velocity: [0 m/s, 0 m/s, 0.5 m/s]", text)
+        self.assertEqual(caret.index("^"), text.index("velocity"))
+        for v in (0.89, -0.5):
+            self.assertNotIn("fall back", self.judged(0.1, v).stdout)
+
     def test_rate_amount_and_residence(self):
         """1 kg/s to half a grain; all that came is inside or left; time of fall by its formula."""
         self.write(group("mass_flow: 3.6 t/h, start: 0.1 s"))

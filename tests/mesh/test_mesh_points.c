@@ -84,10 +84,47 @@ static void the_tree_finds_what_brute_force_finds(void **state)
     }
 }
 
+/** Boxes that are looked at for a long segment between random points, a mean over 500. */
+static double boxes_of(size_t count, int flat)
+{
+    static double places[20 * MOST][3];
+    static uint32_t points[20 * MOST];
+    assert_true(count <= sizeof points / sizeof points[0]);
+    for (size_t k = 0; k < count; k++) {
+        points[k] = (uint32_t)k;
+        for (int c = 0; c < 3; c++) {
+            places[k][c] = c < flat ? roll() : 0.1 * roll() * places[k][0];
+        }
+    }
+    clod_mesh_points tree;
+    clod_mesh_hits hits = {0};
+    assert_true(clod_mesh_points_init(&tree, (const double(*)[3])places, points, count));
+    for (size_t s = 0; s < 500; s++) {
+        assert_true(
+            clod_mesh_points_near(&tree, places[2 * s], places[2 * s + 1], 1e-7, &hits));
+    }
+    clod_memory_free(hits.items);
+    clod_mesh_points_fini(&tree);
+    return (double)hits.boxes / 500.0;
+}
+
+/** Boxes that a line passes grow as the cube root of the points, a factor of 2 for 8 times as many. Numbers
+ *  beside a power of two are the worst: half of the tree's leaves have no points. */
+static void a_long_segment_passes_few_boxes(void **state)
+{
+    (void)state;
+    const double few = boxes_of(4200, 3), many = boxes_of(8 * 4200, 3);
+    assert_true(many < 2.5 * few);
+    assert_true(many < 400.0); // of 16383
+    assert_true(boxes_of(60000, 3) < 500.0);
+    assert_true(boxes_of(33000, 2) < 500.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_tree_finds_what_brute_force_finds),
+        cmocka_unit_test(a_long_segment_passes_few_boxes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,6 +35,7 @@ enum {
     T_EDGE = CLOD_MESH_FAULT_T,
     NEEDLE = CLOD_MESH_FAULT_NEEDLE,
     SLIVER = CLOD_MESH_FAULT_SLIVER,
+    CROSS = CLOD_MESH_FAULT_CROSSING,
 };
 #define TEN GOOD, GOOD, GOOD, GOOD, GOOD, GOOD, GOOD, GOOD, GOOD, GOOD
 
@@ -69,6 +70,15 @@ static void edges_of_several_facets(void **state)
                  (const int[]){T_EDGE, T_EDGE, T_EDGE, OPEN, -1});
 }
 
+/** A triangle goes through another one; a third stands on it. Theirs are open edges too, which is less grave. */
+static void facets_that_cross(void **state)
+{
+    (void)state;
+    check_faults("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 -1\nv 1 2 -1\nv 1 1 1\n"
+                 "v 0.5 0.5 0\nv 0.5 1 0\nv 0.5 0.5 1\nf 1 2 3\nf 4 5 6\nf 7 8 9\n",
+                 (const int[]){CROSS, CROSS, OPEN, -1});
+}
+
 static void thin_facets(void **state)
 {
     (void)state;
@@ -83,6 +93,7 @@ int main(void)
         cmocka_unit_test(a_closed_box_is_good),
         cmocka_unit_test(facets_with_one_fault),
         cmocka_unit_test(edges_of_several_facets),
+        cmocka_unit_test(facets_that_cross),
         cmocka_unit_test(thin_facets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -14,12 +14,7 @@ static clod_surface *plane_of_strips(double height)
         maker_add(self, (float[3]){x0, 0, z}, (float[3]){x1, 0, z}, (float[3]){x1, 1, z});
         maker_add(self, (float[3]){x0, 0, z}, (float[3]){x1, 1, z}, (float[3]){x0, 1, z});
     }
-    clod_mesh *mesh = maker_read(self, &METRES);
-    clod_status status;
-    clod_surface *surface = clod_surface_make(mesh, NULL, 0.35, &status);
-    assert_non_null(surface);
-    clod_mesh_free(mesh);
-    return surface;
+    return maker_surface(self, 0.35);
 }
 
 static void check_same(const clod_surface_facet *a, const clod_surface_facet *b)
