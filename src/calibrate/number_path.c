@@ -27,6 +27,8 @@ const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT] = {
     ROW("_kg_s", "kg/s", "kg/s", 1.0),
     ROW("_m_per_s", "m/s", "m/s", 1.0),
     ROW("_per_s", "1", "", 1.0),
+    ROW("_per_m", "1", "", 1.0),
+    ROW("_N_m", "1", "", 1.0),
     ROW("_Pa", "Pa", "Pa", 1.0),
     ROW("_kg", "kg", "kg", 1.0),
     ROW("_N", "N", "N", 1.0),

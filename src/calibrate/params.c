@@ -59,7 +59,8 @@ static const clod_param WISH[] = {
     TEXT_ROW(
         W, "value", value, CLOD_PARAM_OPTIONAL, "47.3 deg",
         "What was measured, with its unit. Of a number of a free run the unit may be left out: "
-        "it is that of the name, deg for angle_deg."),
+        "it is that of the name, deg for angle_deg; energies, powers and torques are given "
+        "without one."),
     TEXT_ROW(W, "error", error, CLOD_PARAM_OPTIONAL, "2 deg",
              "Its standard error; with locus that of each point, where the table has none."),
     TEXT_ROW(

@@ -65,17 +65,32 @@ static bool is_with(const clod_case *self, size_t a, size_t b)
            clod_region_overlap(&self->grains[a].region, &self->grains[b].region);
 }
 
-double clod_check_rest_fraction(const clod_case *self, size_t index)
+static bool has_gravity(const clod_case *self)
 {
     const double *g = self->gravity;
-    const double gravity = hypot(hypot(g[0], g[1]), g[2]);
+    return g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0;
+}
+
+/** Solid fraction of all streams that share the space of one, it among them; how many. What stays where
+ *  it comes is told by itself, so it does not count. */
+static double fraction_with(const clod_case *self, size_t index, int *streams)
+{
     double all = 0.0;
-    for (size_t k = 0; gravity > 0.0 && k < self->grains_count; k++) {
-        if (is_with(self, index, k) && speed_of(&self->grains[k]) == 0.0) {
+    *streams = 0;
+    for (size_t k = 0; k < self->grains_count; k++) {
+        const bool moves = speed_of(&self->grains[k]) > 0.0 || has_gravity(self);
+        if (is_with(self, index, k) && moves) {
             all += fraction_of(self, &self->grains[k]);
+            (*streams)++;
         }
     }
-    return gravity > 0.0 ? all : HUGE_VAL;
+    return all;
+}
+
+double clod_check_rest_fraction(const clod_case *self, size_t index)
+{
+    int streams;
+    return has_gravity(self) ? fraction_with(self, index, &streams) : HUGE_VAL;
 }
 
 bool clod_check_falls_back(const clod_case *self, size_t index, char text[CLOD_CHECK_BACK_TEXT])
@@ -98,14 +113,8 @@ bool clod_check_falls_back(const clod_case *self, size_t index, char text[CLOD_C
 static void check_room(clod_loader *loader, const clod_case *self, size_t index)
 {
     const clod_case_grains *grains = &self->grains[index];
-    double all = 0.0;
-    int streams = 0;
-    for (size_t k = 0; k < self->grains_count; k++) {
-        if (is_with(self, index, k) && speed_of(&self->grains[k]) > 0.0) {
-            all += fraction_of(self, &self->grains[k]);
-            streams++;
-        }
-    }
+    int streams;
+    const double all = fraction_with(self, index, &streams);
     if (speed_of(grains) == 0.0 || fraction_of(self, grains) == 0.0 ||
         all <= CLOD_CHECK_DENSE) {
         return;
@@ -122,11 +131,12 @@ static void check_room(clod_loader *loader, const clod_case *self, size_t index)
     clod_check_fail(loader, key,
                     "%.4g %s at this velocity are a solid fraction of %.2g%s; grains at random "
                     "places without overlap go up to %.2g: at most %.4g %s%s, or make the "
-                    "region wider or velocity larger%s%s",
+                    "region wider%s%s",
                     flow, by_mass ? "kg/s" : "grains/s", all, with, CLOD_CHECK_DENSE,
                     flow * CLOD_CHECK_DENSE / all, by_mass ? "kg/s" : "grains/s",
                     streams > 1 ? ", the others in the same proportion" : "",
-                    clod_check_falls_back(self, index, back) ? ": " : "", back);
+                    clod_check_falls_back(self, index, back) ? ": " : " or velocity larger",
+                    back);
 }
 
 void clod_check_streams(clod_loader *loader, const clod_case *self)

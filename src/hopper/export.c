@@ -53,12 +53,13 @@ static json_t *shape_of(const clod_hopper_found *found)
 
 static json_t *rathole_of(const clod_hopper *self)
 {
+    const bool known = self->solid.phi_t.count > 0, filled = known && self->silo.diameter > 0.0;
     return json_pack("{s:o, s:o, s:o, s:{s:o, s:o}}", "emptying_m",
                      interval(&self->rathole[CLOD_HOPPER_EMPTYING], 1.0), "filling_m",
                      interval(&self->rathole[CLOD_HOPPER_FILLING], 1.0), "filling_stress_Pa",
-                     number(self->hole.filling_stress), "sample_shares", "emptying",
-                     number(self->holed[CLOD_HOPPER_EMPTYING]), "filling",
-                     number(self->holed[CLOD_HOPPER_FILLING]));
+                     number(self->hole.filling_stress), "known_shares", "emptying",
+                     number(known ? self->holed[CLOD_HOPPER_EMPTYING] : (double)NAN), "filling",
+                     number(filled ? self->holed[CLOD_HOPPER_FILLING] : (double)NAN));
 }
 
 static json_t *curve_of(const clod_curve *curve, const char *x, const char *y, double scale)

@@ -103,12 +103,13 @@ static void find_title(clod_run_files *self)
 static bool is_folder(const char *folder, clod_status *status)
 {
     struct stat about;
+    const char *ending = strrchr(folder, '.');
+    const bool design = ending != NULL && strcmp(ending, ".json") == 0;
     return stat(folder, &about) != 0 || S_ISDIR(about.st_mode) ||
            clod_status_fail(
                status, CLOD_USAGE,
-               "%s is a file, not the results folder of a run. Name a folder, e.g. "
-               "run/first; clod hopper -o draws the chart of a design itself.",
-               folder);
+               "%s is a file, not the results folder of a run. Name a folder, e.g. run/first%s.",
+               folder, design ? "; clod hopper -o draws the chart of a design itself" : "");
 }
 
 /** Say why a folder is not that of a run. */

@@ -65,7 +65,7 @@ static void warn_rest(const clod_check_subject *subject, clod_check_report *r)
             clod_status_fail(
                 &said, CLOD_USAGE,
                 "grains.%zu.velocity: is zero: grains only fall out of the region, "
-                "and with all that come at rest there they fill %.2g of its bottom; random "
+                "and with all that come there they fill %.2g of its bottom; random "
                 "places without overlap go up to %.2g, so the inlet will be blocked. Give a "
                 "velocity that leads out, a larger region, or at most %.4g %s, others in "
                 "proportion",

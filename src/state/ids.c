@@ -29,8 +29,10 @@ int64_t clod_ids_row(const clod_ids *self, uint64_t id)
         const size_t middle = clod_lower_bound_middle(&in);
         clod_lower_bound_halve(&in, self->item[middle].key < id);
     }
-    const clod_sort_item *item = &self->item[in.low];
-    return in.low < self->count && item->key == id ? (int64_t)item->index : -1;
+    if (in.low == self->count || self->item[in.low].key != id) {
+        return -1;
+    }
+    return (int64_t)self->item[in.low].index;
 }
 
 bool clod_ids_are_different(const clod_ids *self)

@@ -2,7 +2,7 @@
 /**
  * @file kernel_rub.h
  * How grains rub and hit walls, stored by the contact loop of walls on its way. Only with the
- * sums of surfaces (output.surfaces). Included by kernel.c only.
+ * sums of surfaces (output.surfaces).
  */
 
 #include "law/law_contact.h"
@@ -29,6 +29,8 @@ static inline vreal kernel_rub_finnie(vreal normal, vreal along)
     const vreal steep = along * along / (3.0 * square);
     return vreal_select(vmask_less(3.0 * normal, along), flat, steep);
 }
+
+_Static_assert(CLOD_WEAR_STEP_SUMS == 8, "a row of addends has room for eight");
 
 /** What contacts did to their places in a step: addends of the first sums of wear. */
 static inline void kernel_rub_did(vreal did[8], double dt, const clod_law_touch *touch,

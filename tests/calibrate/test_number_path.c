@@ -28,6 +28,8 @@ static void the_end_of_the_name_is_the_unit(void **state)
     assert_string_equal(unit_of("gauges.exit.mass_flow_kg_per_s.mean"), "kg/s");
     assert_string_equal(unit_of("gauges.exit.speed_m_per_s.deviation"), "m/s");
     assert_string_equal(unit_of("gauges.exit.impacts_per_s"), "");
+    assert_string_equal(unit_of("walls.side.load_N_per_m"), ""); // no length
+    assert_string_equal(unit_of("walls.lid.torque_N_m"), "");
     assert_string_equal(unit_of("gauges.at_60_deg.sorting.mean"),
                         ""); // the user's name has none
 }

@@ -72,11 +72,17 @@ class Inlets(clod.Case):
         still = "    velocity: [0 m/s, 0 m/s, 0 m/s]\n"
         self.assertEqual(self.warnings(0.99 * most, still), [])
         said, = self.warnings(1.2 * most, still)
-        self.assertIn("with all that come at rest there they fill 0.3 of its bottom", said)
+        self.assertIn("with all that come there they fill 0.3 of its bottom", said)
         self.assertIn(f"or at most {most:.4g} kg/s", said)
         said, = self.warnings(0.6 * most, still, streams=2)  # of a mix, each of which has room alone
         self.assertIn("grains.1.velocity: is zero", said)
         self.assertIn("they fill 0.3 of its bottom", said)
+        # one at rest, and one that comes through the same region at next to no speed: refused together
+        self.write(group(f"mass_flow: {0.6 * most} kg/s").replace("    velocity: [0 m/s, 0 m/s, -1 m/s]\n", still),
+                   group(f"mass_flow: {0.6 * most} kg/s").replace("-1 m/s]", "-1e-6 m/s]"))
+        done = clod.run("check", "case.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("a solid fraction of 0.3 with the other in its region", done.stderr)
         self.assertEqual(self.warnings(0.999 * most, still), [])
         self.assertNotIn("blocked", self.go("most").stdout)  # there is room for that much
         # without gravity nothing ever leaves it; where a value stands, and a caret below

@@ -215,6 +215,10 @@ class Hopper(clod.Case):
             chart = file.read()
         self.assertRegex(chart, r">wedge, ff = [0-9.]+ \(not known to be mass flow\)<")
         self.assertRegex(chart, r">cone, ff = [0-9.]+<")
+        # a wedge that is mass flow as measured, and not in some of the samples
+        told = self.hopper("case.yaml", "--set", f"wedge.half_angle={limit - 0.1:.2f} deg").stdout
+        self.assertRegex(told.split("\nWedge, slot")[1], r"samples .*% not known to be mass flow")
+        self.assertRegex(told, r"samples that do not flow +0.0 %\n  perhaps no mass flow +[0-9.]+ %\n")
 
     def test_a_half_angle_inside_the_margin_is_warned_of(self):
         self.start()
@@ -261,7 +265,7 @@ class Hopper(clod.Case):
                           "static angle of internal friction is 29.0 deg.", words)
         self.write("case.yaml", more + "static_friction: {angle: 31 deg, error: 4 deg}\n")
         told = " ".join(self.hopper("case.yaml").stdout.split())
-        shares = self.found()["rathole"]["sample_shares"]
+        shares = self.found()["rathole"]["known_shares"]
         for when, key in (("emptying", "emptying"), ("after filling", "filling")):
             self.assertAlmostEqual(shares[key], 0.6, delta=0.15)  # of 100 samples: 3 x 0.049
             self.assertIn(f"Rathole, {when}: in {100 * (1 - shares[key]):.1f} % of the samples the static angle of "

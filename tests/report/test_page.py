@@ -355,12 +355,16 @@ class Report(clod.Case):
         pages.write(self.path("fitted"), calibration__json={})
         with open(self.path("lab.csv"), "w") as file:
             file.write(LAB)
+        with open(self.path("design.json"), "w") as file:
+            file.write("{}")
         for arguments, text in ((["report"], "which run?"),
                                 (["report", "empty"], "empty is not the results folder of a run: it has no file "
                                  "case-complete.yaml. Name one, e.g. run/first."),
                                 (["report", "none"], "none does not exist. Name the results folder of a run"),
                                 (["report", "lab.csv"], "lab.csv is a file, not the results folder of a run. Name a "
-                                 "folder, e.g. run/first; clod hopper -o draws the chart of a design itself."),
+                                 "folder, e.g. run/first."),
+                                (["report", "design.json"], "design.json is a file, not the results folder of a run. "
+                                 "Name a folder, e.g. run/first; clod hopper -o draws the chart of a design itself."),
                                 (["compare", "run", "lab.csv"], "lab.csv is a file, not"),
                                 (["compare", "run", "fitted"], "fitted is the results folder of a calibration, not of a "
                                  "run: clod report makes a page of it; clod compare takes runs"),
