@@ -45,7 +45,8 @@ class Cases(clod.Case):
                     with open(self.path("grains.csv"), "w") as file:
                         file.write(DRUM_GRAINS)
                     path = self.path(name)
-                verb = {"hopper.yaml": ["hopper"], "plan.yaml": ["calibrate", "--check"]}.get(
+                verb = {"hopper.yaml": ["hopper"], "plan.yaml": ["calibrate", "--check"],
+                        "plan-8.yaml": ["calibrate", "--check"]}.get(
                     name, ["check", "-t", "1", "--json"])
                 done = clod.run(*verb, path)
                 self.assertEqual(done.returncode, 0, done.stderr)
