@@ -16,33 +16,23 @@ void clod_touch_begin(clod_touch_part *self)
     self->lacks_memory = false;
 }
 
-/** One more facet near the last site, to its place by number among those from `first` on. */
-static bool add_facet(clod_touch_part *part, size_t first, const clod_surface *surface,
-                      uint32_t number)
-{
-    uint32_t taken;
-    if (!clod_room_for_one(&part->near, &part->near_room, part->nears, sizeof *part->near) ||
-        !clod_touch_facets_take(&part->table, surface, number, &taken)) {
-        return false;
-    }
-    const clod_surface_facet *facet = part->table.facet;
-    size_t at = part->nears++;
-    for (; at > first && facet[part->near[at - 1]].number > number; at--) {
-        part->near[at] = part->near[at - 1];
-    }
-    part->near[at] = taken;
-    return true;
-}
-
 /** The facets of a candidate that are near, behind those of its site. */
 static void add_facets(const clod_near_job *job, clod_touch_part *part,
                        const clod_wall_candidate *candidate, const clod_surface *surface)
 {
     const clod_wall_facet *facet = job->neighbour->walls.facet + candidate->facet;
-    const size_t first = part->nears;
-    for (int32_t k = 0; k < candidate->facets && !part->lacks_memory; k++) {
-        part->lacks_memory =
-            facet[k].near != 0 && !add_facet(part, first, surface, facet[k].number);
+    for (int32_t k = 0; k < candidate->facets; k++) {
+        if (facet[k].near == 0) {
+            continue;
+        }
+        if (!clod_room_for_one(&part->near, &part->near_room, part->nears,
+                               sizeof *part->near) ||
+            !clod_touch_facets_take(&part->table, surface, facet[k].number,
+                                    &part->near[part->nears])) {
+            part->lacks_memory = true;
+            return;
+        }
+        part->nears++;
     }
 }
 
@@ -275,29 +265,41 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
     }
 }
 
-/** The facet nearest to a point, of those of a site, which lie in one plane: the first by number
- *  that holds its foot, else the one with the nearest edge. */
+/** The first facet by number, of those of a site, that holds a point of their plane; -1: none does. */
+static int32_t holding_facet(const clod_touch_part *part, const clod_touch_site *site,
+                             clod_vec3 at)
+{
+    uint32_t first = UINT32_MAX;
+    for (size_t k = 0; k < site->facets; k++) {
+        const clod_surface_facet *facet = &part->table.facet[part->near[site->near + k]];
+        if (facet->number < first && clod_surface_facet_holds(facet, at)) {
+            first = facet->number;
+        }
+    }
+    return first == UINT32_MAX ? -1 : (int32_t)first;
+}
+
+/** The facet nearest to a point, of those of a site, which lie in one plane, where its foot is. */
 static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site *site,
                              clod_vec3 from, clod_vec3 foot)
 {
-    const clod_surface_facet *facet = part->table.facet;
-    const uint32_t *near = part->near + site->near;
+    const clod_surface_facet *nearest = &part->table.facet[part->near[site->near]];
     if (site->facets == 1) {
-        return (int32_t)facet[near[0]].number;
+        return (int32_t)nearest->number;
     }
-    for (size_t k = 0; k < site->facets; k++) {
-        if (clod_surface_facet_holds(&facet[near[k]], foot)) {
-            return (int32_t)facet[near[k]].number;
-        }
+    const int32_t holding = holding_facet(part, site, foot);
+    if (holding >= 0) {
+        return holding;
     }
     double least = INFINITY;
-    uint32_t nearest = facet[near[0]].number;
     for (size_t k = 0; k < site->facets; k++) {
-        const double d = clod_surface_facet_closest(&facet[near[k]], from).distance;
-        nearest = d < least ? facet[near[k]].number : nearest;
+        const clod_surface_facet *facet = &part->table.facet[part->near[site->near + k]];
+        const double d = clod_surface_facet_closest(facet, from).distance;
+        const bool first = facet->number < nearest->number;
+        nearest = d < least || (d == least && first) ? facet : nearest;
         least = fmin(least, d);
     }
-    return (int32_t)nearest;
+    return (int32_t)nearest->number;
 }
 
 /** The contact of a grain with nothing but a plane near it. */

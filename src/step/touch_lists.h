@@ -30,7 +30,7 @@ typedef struct clod_touch_part {
     clod_touch_site *site;
     clod_touch_lane *lane;
     clod_touch_facets table;
-    uint32_t *near;        ///< [nears] places in the table, those of a patch by number
+    uint32_t *near;        ///< [nears] places in the table
     clod_surface_hit *hit; ///< scratch, [hit_room]
     size_t sites, lanes, nears;
     size_t site_room, lane_room, near_room, hit_room;
