@@ -8,11 +8,11 @@
 #include "base/plural.h"
 #include "base/sort.h"
 #include "config/region.h"
+#include "geometry/sphere_grid.h"
 #include "setup/amount.h"
 #include "setup/domain.h"
 #include "setup/grains_file.h"
 #include "setup/insertion.h"
-#include "setup/insertion_grid.h"
 
 #define MASS_OFF 0.05 ///< of the mass asked for, that the grains may weigh more or less
 #define KEY_TEXT 64
@@ -331,19 +331,19 @@ bool clod_setup_worst_overlap(const clod_state *state, clod_setup_overlap *worst
     for (size_t g = 0; g < grains->count; g++) {
         largest = fmax(largest, grains->position[g][3]);
     }
-    clod_insertion_grid grid = {0};
+    clod_sphere_grid grid = {0};
     bool good =
-        clod_insertion_grid_begin(&grid, low, high, period, largest, grains->count, status);
+        clod_sphere_grid_begin(&grid, low, high, period, largest, grains->count, status);
     for (size_t g = 0; good && g < grains->count; g++) {
         const double *place = grains->position[g];
         size_t other = 0;
-        const double overlap = clod_insertion_grid_overlap(&grid, place, &other);
+        const double overlap = clod_sphere_grid_overlap(&grid, place, &other);
         if (overlap > worst->overlap) {
             *worst = (clod_setup_overlap){grains->id[other], grains->id[g], overlap,
                                           overlap / fmin(place[3], grains->position[other][3])};
         }
-        good = clod_insertion_grid_add(&grid, place, status);
+        good = clod_sphere_grid_add(&grid, place, status);
     }
-    clod_insertion_grid_fini(&grid);
+    clod_sphere_grid_fini(&grid);
     return good;
 }

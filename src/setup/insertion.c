@@ -14,8 +14,6 @@
 
 /** Solid fraction above which random positions are not tried. */
 #define RANDOM_LIMIT 0.33
-/** Random positions that are tried for one grain. */
-#define TRIES 4000
 /** Random positions that are tried in a column before its filling front rises. */
 #define COLUMN_TRIES 500
 /** Solid fraction that a column reaches at the very least. */
@@ -196,7 +194,7 @@ static bool fill_random(const scatter *self, const uint32_t *order, clod_status 
     bool good = true;
     bool put = true;
     for (size_t k = 0; good && put && k < self->batch->what->count; k++) {
-        good = try_random(self, order[k], range, 0, TRIES, &put, status);
+        good = try_random(self, order[k], range, 0, CLOD_INSERTION_TRIES, &put, status);
     }
     return good;
 }
@@ -231,7 +229,10 @@ static bool fill(clod_insertion_batch *batch, clod_status *status)
         clod_insertion_space_open(&space, region, top, batch->state, batch->largest, status);
     space.pieces = what->pieces;
     const double fraction = batch->volume / clod_insertion_space_volume(&space);
-    good = good && (fraction > RANDOM_LIMIT || scatter_all(batch, &space, status));
+    const bool kept = what->pieces != NULL && what->pieces->taker->keeper != NULL;
+    good = good &&
+           (fraction > RANDOM_LIMIT || (kept ? clod_insertion_kept_fill(batch, &space, status)
+                                             : scatter_all(batch, &space, status)));
     if (good && batch->reached < what->count) {
         batch->reached = 0;
         good = clod_insertion_layers_fill(batch, &space, status);

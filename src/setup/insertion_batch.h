@@ -10,6 +10,9 @@
 /** Grains keep this fraction of their radius away from everything, against rounding. */
 #define CLOD_INSERTION_CLEARANCE 1e-6
 
+/** Random positions that are tried for one grain. */
+#define CLOD_INSERTION_TRIES 4000
+
 typedef struct clod_insertion_batch {
     const clod_insertion *what;
     clod_state *state; ///< borrowed
@@ -41,3 +44,12 @@ bool clod_insertion_batch_no_room(const clod_insertion_batch *self,
  */
 bool clod_insertion_layers_fill(clod_insertion_batch *self, clod_insertion_space *space,
                                 clod_status *status);
+
+/**
+ * Random positions, the largest first, of grains whose places others keep (what->pieces->taker->keeper): the
+ * same places as those of one process. Nothing is appended when one finds none: then fewer are reached.
+ *
+ * @param space  open, without a grid
+ */
+bool clod_insertion_kept_fill(clod_insertion_batch *self, clod_insertion_space *space,
+                              clod_status *status);

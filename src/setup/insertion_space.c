@@ -241,7 +241,7 @@ static bool note_grains(clod_insertion_space *self, const double range[2], bool 
                                              : self->others.place[k - self->rows];
         const bool near = is_in_height(self, range, place);
         *count += near;
-        good = !near || !note || clod_insertion_grid_add(&self->grid, place, status);
+        good = !near || !note || clod_sphere_grid_add(&self->grid, place, status);
     }
     return good;
 }
@@ -272,8 +272,8 @@ bool clod_insertion_space_band(clod_insertion_space *self, double bottom, double
     const double range[2] = {bottom, top};
     size_t before;
     return note_grains(self, range, false, &before, status) &&
-           clod_insertion_grid_begin(&self->grid, low, high, period, self->largest,
-                                     grains + before, status) &&
+           clod_sphere_grid_begin(&self->grid, low, high, period, self->largest,
+                                  grains + before, status) &&
            note_grains(self, range, true, &before, status);
 }
 
@@ -342,13 +342,18 @@ static bool clear_of_walls(const clod_insertion_space *self, const double place[
 bool clod_insertion_space_clear(const clod_insertion_space *self, const double place[4])
 {
     return space_row_of(self)->inside(self, place) &&
-           clod_insertion_grid_clear(&self->grid, place) && clear_of_walls(self, place);
+           clod_sphere_grid_clear(&self->grid, place) && clear_of_walls(self, place);
+}
+
+bool clod_insertion_space_open_at(const clod_insertion_space *self, const double place[4])
+{
+    return space_row_of(self)->inside(self, place) && clear_of_walls(self, place);
 }
 
 bool clod_insertion_space_take(clod_insertion_space *self, const double place[4],
                                clod_status *status)
 {
-    return clod_insertion_grid_add(&self->grid, place, status);
+    return clod_sphere_grid_add(&self->grid, place, status);
 }
 
 bool clod_insertion_space_draw(const clod_insertion_space *self, double place[4], double bottom,
@@ -360,7 +365,7 @@ bool clod_insertion_space_draw(const clod_insertion_space *self, double place[4]
 void clod_insertion_space_fini(clod_insertion_space *self)
 {
     clod_wall_rows_fini(&self->walls);
-    clod_insertion_grid_fini(&self->grid);
+    clod_sphere_grid_fini(&self->grid);
     clod_memory_free(self->row);
     *self = (clod_insertion_space){0};
 }

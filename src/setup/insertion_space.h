@@ -4,8 +4,8 @@
  * Where a grain may be put: inside a region, clear of walls, clear of other grains.
  */
 
+#include "geometry/sphere_grid.h"
 #include "geometry/wall_rows.h"
-#include "setup/insertion_grid.h"
 #include "setup/pieces.h"
 #include "state/state.h"
 
@@ -23,7 +23,7 @@ typedef struct clod_insertion_space {
     clod_setup_places others;  ///< of `pieces`, that reach into it
     clod_setup_pieces *pieces; ///< has other grains that were there; NULL: nobody has
     clod_wall_rows walls;      ///< where they are
-    clod_insertion_grid grid;
+    clod_sphere_grid grid;
 } clod_insertion_space;
 
 /**
@@ -70,6 +70,9 @@ double clod_insertion_space_volume(const clod_insertion_space *self);
 
 /** Whether a sphere is inside the region and overlaps neither wall nor grain. */
 bool clod_insertion_space_clear(const clod_insertion_space *self, const double place[4]);
+
+/** Whether a sphere is inside the region and overlaps no wall; grains do not matter. */
+bool clod_insertion_space_open_at(const clod_insertion_space *self, const double place[4]);
 
 /** Note that a sphere has been put. */
 bool clod_insertion_space_take(clod_insertion_space *self, const double place[4],

@@ -8,6 +8,8 @@
  * Test  tests/sim/test_deal.c
  */
 
+#include "base/sort.h"
+#include "geometry/sphere_grid.h"
 #include "setup/tally.h"
 
 /** Places of some grains: x, y, z, radius [m]. */
@@ -16,11 +18,44 @@ typedef struct clod_setup_places {
     size_t count;
 } clod_setup_places;
 
+/** Who keeps the places of a group's grains while they are looked for at random, the largest first. */
+typedef struct clod_setup_keeper {
+    void *context; ///< of the functions; borrowed
+
+    /** Begin: grains that were taken, and those in the state, are in the way; the box has the centres.
+     *  Then `end`, in any case. Errors: CLOD_FAILED, as of all below. */
+    bool (*begin)(void *context, const clod_state *state, const clod_domain_box *box,
+                  double largest, size_t grains, clod_status *status);
+
+    /** The radii of the next grains [m], until it has all. */
+    bool (*sizes)(void *context, const double *radius, size_t count, clod_status *status);
+
+    /** The numbers of the next grains, as `index`, the largest first and equal ones by number; valid until the
+     *  next call. None: that was all. */
+    bool (*next)(void *context, const clod_sort_item **grain, size_t *count,
+                 clod_status *status);
+
+    /** Which places, [count], are free of grains. */
+    bool (*ask)(void *context, const double (*place)[4], size_t count, bool *clear,
+                clod_status *status);
+
+    /** Put grains, which are clear of each other. */
+    bool (*put)(void *context, const clod_placed_sphere *grain, size_t count,
+                clod_status *status);
+
+    /** Places of the grains with the numbers [first, first + count), which were put. */
+    bool (*fetch)(void *context, size_t first, size_t count, double (*place)[4],
+                  clod_status *status);
+
+    void (*end)(void *context);
+} clod_setup_keeper;
+
 /** Who takes grains. */
 typedef struct clod_setup_taker {
-    void *context; ///< of the functions; borrowed
-    size_t piece;  ///< grains at a time
-    double share;  ///< of all grains, that this machine has to hold
+    void *context;                   ///< of the functions; borrowed
+    size_t piece;                    ///< grains at a time
+    double share;                    ///< of all grains, that this machine has to hold
+    const clod_setup_keeper *keeper; ///< borrowed
 
     /** So many will come in all. Errors: CLOD_FAILED, as of the next two. */
     bool (*begin)(void *context, clod_state *state, size_t grains, clod_status *status);

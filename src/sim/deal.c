@@ -29,6 +29,60 @@ static bool near(void *context, const clod_domain *domain, const clod_domain_box
     return good;
 }
 
+// ---- random positions
+
+static bool places_begin(void *context, const clod_state *state, const clod_domain_box *box,
+                         double largest, size_t grains, clod_status *status)
+{
+    clod_deal *self = context;
+    const clod_crew_places_what what = {state->domain, *box, largest, grains};
+    return clod_crew_places_begin(&self->kept, self->ranks, state, &what, status);
+}
+
+static bool places_sizes(void *context, const double *radius, size_t count, clod_status *status)
+{
+    clod_deal *self = context;
+    return clod_crew_places_sizes(&self->kept, self->ranks, radius, count, status);
+}
+
+static bool places_next(void *context, const clod_sort_item **grain, size_t *count,
+                        clod_status *status)
+{
+    clod_deal *self = context;
+    const size_t chunk = self->taker.piece / (size_t)self->ranks->size + 1;
+    const bool good = clod_crew_places_next(&self->kept, self->ranks, chunk, status);
+    *grain = self->kept.sizes.pool;
+    *count = good ? self->kept.sizes.ready : 0;
+    return good;
+}
+
+static bool places_ask(void *context, const double (*place)[4], size_t count, bool *clear,
+                       clod_status *status)
+{
+    clod_deal *self = context;
+    return clod_crew_places_ask(&self->kept, self->ranks, place, count, clear, status);
+}
+
+static bool places_put(void *context, const clod_placed_sphere *grain, size_t count,
+                       clod_status *status)
+{
+    clod_deal *self = context;
+    return clod_crew_places_put(&self->kept, self->ranks, grain, count, status);
+}
+
+static bool places_fetch(void *context, size_t first, size_t count, double (*place)[4],
+                         clod_status *status)
+{
+    clod_deal *self = context;
+    return clod_crew_places_fetch(&self->kept, self->ranks, first, count, place, status);
+}
+
+static void places_end(void *context)
+{
+    clod_deal *self = context;
+    clod_crew_places_end(&self->kept, self->ranks);
+}
+
 // ---- of a checkpoint
 
 static bool begin_again(void *context, clod_state *state, size_t grains, bool *takes,
@@ -75,8 +129,17 @@ const clod_setup_taker *clod_deal_begin(clod_deal *self, clod_ranks *ranks,
     if (ranks == NULL || ranks->size == 1 || !clod_setup_grains_in_pieces(from)) {
         return NULL;
     }
+    self->keeper = (clod_setup_keeper){.context = self,
+                                       .begin = places_begin,
+                                       .sizes = places_sizes,
+                                       .next = places_next,
+                                       .ask = places_ask,
+                                       .put = places_put,
+                                       .fetch = places_fetch,
+                                       .end = places_end};
     self->taker = (clod_setup_taker){.context = self,
                                      .piece = PIECE,
+                                     .keeper = &self->keeper,
                                      .share = share_of(ranks),
                                      .begin = begin,
                                      .take = take,

@@ -12,11 +12,14 @@
 #include "setup/pieces.h"
 #include "state/bed_taker.h"
 #include "step/crew_deal.h"
+#include "step/crew_places.h"
 
 typedef struct clod_deal {
     clod_ranks *ranks;
     clod_bytes places; ///< that were asked for last; owned
     clod_setup_taker taker;
+    clod_setup_keeper keeper;
+    clod_crew_places kept;  ///< of rank 0, of grains that are being put; owned
     clod_crew_share *share; ///< borrowed, as the next
     const int64_t *finished;
     clod_bed_taker again;

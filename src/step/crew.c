@@ -303,6 +303,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
     switch (what->what) {
     case CLOD_CREW_DEAL_BEGIN:
         clod_crew_share_fini(&self->share);
+        clod_crew_places_fini(&self->places);
         clod_crew_part_deal_begin(ranks, &self->state, &status);
         break;
     case CLOD_CREW_DEAL:
@@ -313,6 +314,9 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         break;
     case CLOD_CREW_DEAL_CONTACTS:
         clod_crew_part_deal_contacts(ranks, &self->share, &status);
+        break;
+    case CLOD_CREW_PLACES:
+        clod_crew_part_places(&self->places, ranks, &self->state, &status);
         break;
     case CLOD_CREW_BEGIN:
         self->ranks = ranks;

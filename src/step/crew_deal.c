@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "parallel/ranks_collect.h"
 #include "step/crew_part.h"
+#include "step/crew_shares.h"
 #include "step/migrate.h"
 #include "step/records.h"
 
@@ -19,34 +20,6 @@ typedef struct deal_near {
     clod_domain domain;
     clod_domain_box box;
 } deal_near;
-
-/** What goes to each rank, and where it begins in what came. */
-typedef struct shares {
-    clod_bytes *out; ///< [ranks]
-    clod_bytes in;
-    size_t *begin; ///< [ranks + 1]
-} shares;
-
-static bool shares_init(shares *self, clod_ranks *ranks, clod_status *status)
-{
-    const size_t size = (size_t)ranks->size;
-    *self = (shares){.out = clod_memory_alloc(size, sizeof *self->out),
-                     .begin = clod_memory_alloc(size + 1, sizeof *self->begin)};
-    const bool good =
-        (self->out != NULL && self->begin != NULL) ||
-        clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks", ranks->size);
-    return clod_ranks_agree(ranks, good, status);
-}
-
-static void shares_fini(shares *self, const clod_ranks *ranks)
-{
-    for (int r = 0; self->out != NULL && r < ranks->size; r++) {
-        clod_bytes_fini(&self->out[r]);
-    }
-    clod_bytes_fini(&self->in);
-    clod_memory_free(self->out);
-    clod_memory_free(self->begin);
-}
 
 void clod_crew_deal_drop(clod_state *state)
 {
@@ -86,14 +59,14 @@ bool clod_crew_deal_begin(clod_ranks *ranks, clod_state *state, size_t rows, siz
 
 bool clod_crew_part_deal(clod_ranks *ranks, clod_state *state, clod_status *status)
 {
-    shares all;
-    bool good = shares_init(&all, ranks, status) &&
-                clod_ranks_swap(ranks, all.out, &all.in, all.begin, status);
+    clod_crew_shares all;
+    bool good = clod_crew_shares_init(&all, ranks, status) &&
+                clod_crew_shares_swap(&all, ranks, status);
     if (good) {
         const bool mine = clod_records_get_grains(&all.in, state, status);
         good = clod_ranks_agree(ranks, mine, status);
     }
-    shares_fini(&all, ranks);
+    clod_crew_shares_fini(&all, ranks);
     return good;
 }
 
@@ -110,22 +83,22 @@ static void pack(const clod_state *state, size_t kept, int ranks, clod_bytes *ou
 
 bool clod_crew_deal(clod_ranks *ranks, clod_state *state, size_t kept, clod_status *status)
 {
-    shares all;
+    clod_crew_shares all;
     order(ranks, CLOD_CREW_DEAL);
-    bool good = shares_init(&all, ranks, status);
+    bool good = clod_crew_shares_init(&all, ranks, status);
     if (good && clod_records_reserve(state, state->grains.count, status)) {
         pack(state, kept, ranks->size, all.out); // every column is there
     } else if (good) {
         all.out[0].lacks_memory = true; // swap tells it to all
     }
-    good = good && clod_ranks_swap(ranks, all.out, &all.in, all.begin, status);
+    good = good && clod_crew_shares_swap(&all, ranks, status);
     state->grains.count = kept;
     if (good) {
         const bool mine = clod_records_get_grains(&all.in, state, status);
         clod_grains_pad(&state->grains);
         good = clod_ranks_agree(ranks, mine, status);
     }
-    shares_fini(&all, ranks);
+    clod_crew_shares_fini(&all, ranks);
     return good;
 }
 
@@ -135,8 +108,8 @@ void clod_crew_share_fini(clod_crew_share *self)
 }
 
 /** Contacts that came, behind those that are there. */
-static bool keep_contacts(clod_ranks *ranks, clod_crew_share *share, const shares *all,
-                          clod_status *status)
+static bool keep_contacts(clod_ranks *ranks, clod_crew_share *share,
+                          const clod_crew_shares *all, clod_status *status)
 {
     clod_bytes_put(&share->contacts, all->in.data, all->in.count);
     const bool good =
@@ -148,11 +121,11 @@ static bool keep_contacts(clod_ranks *ranks, clod_crew_share *share, const share
 bool clod_crew_part_deal_contacts(clod_ranks *ranks, clod_crew_share *share,
                                   clod_status *status)
 {
-    shares all;
-    const bool good = shares_init(&all, ranks, status) &&
-                      clod_ranks_swap(ranks, all.out, &all.in, all.begin, status) &&
+    clod_crew_shares all;
+    const bool good = clod_crew_shares_init(&all, ranks, status) &&
+                      clod_crew_shares_swap(&all, ranks, status) &&
                       keep_contacts(ranks, share, &all, status);
-    shares_fini(&all, ranks);
+    clod_crew_shares_fini(&all, ranks);
     return good;
 }
 
@@ -160,18 +133,18 @@ bool clod_crew_deal_contacts(clod_ranks *ranks, clod_crew_share *share,
                              const clod_contact *contacts, const uint64_t (*partners)[2],
                              size_t count, clod_status *status)
 {
-    shares all;
+    clod_crew_shares all;
     const size_t size = (size_t)ranks->size;
     order(ranks, CLOD_CREW_DEAL_CONTACTS);
-    bool good = shares_init(&all, ranks, status);
+    bool good = clod_crew_shares_init(&all, ranks, status);
     for (size_t r = 0; good && r < size; r++) {
         for (size_t c = count * r / size; c < count * (r + 1) / size; c++) {
             clod_records_put_known(&all.out[r], &contacts[c], partners[c]);
         }
     }
-    good = good && clod_ranks_swap(ranks, all.out, &all.in, all.begin, status) &&
+    good = good && clod_crew_shares_swap(&all, ranks, status) &&
            keep_contacts(ranks, share, &all, status);
-    shares_fini(&all, ranks);
+    clod_crew_shares_fini(&all, ranks);
     return good;
 }
 

@@ -118,6 +118,7 @@ void clod_crew_part_end(clod_crew *self)
 {
     clod_crew_slabs_end(self);
     clod_crew_share_fini(&self->share);
+    clod_crew_places_fini(&self->places);
     clod_step_fini(&self->step);
     clod_state_fini(&self->state);
     clod_spread_fini(&self->spread);

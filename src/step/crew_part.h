@@ -9,6 +9,7 @@
 
 #include "step/crew.h"
 #include "step/crew_deal.h"
+#include "step/crew_places.h"
 #include "step/crew_slabs.h"
 
 struct clod_crew {
@@ -19,6 +20,7 @@ struct clod_crew {
     int64_t rebuilds, refreshes; ///< of the whole step before it began
     clod_state state;            ///< of this rank
     clod_crew_share share;       ///< that it was dealt before it began
+    clod_crew_places places;     ///< of grains that are being put, before it began
     clod_laws laws;
     clod_spread spread;
     clod_step step;
@@ -35,6 +37,7 @@ typedef enum clod_crew_order_kind {
     CLOD_CREW_DEAL,
     CLOD_CREW_DEAL_NEAR,
     CLOD_CREW_DEAL_CONTACTS,
+    CLOD_CREW_PLACES,
     CLOD_CREW_BEGIN,
     CLOD_CREW_ADVANCE,
     CLOD_CREW_SEE,

@@ -1,4 +1,4 @@
-#include "setup/insertion_grid.h"
+#include "geometry/sphere_grid.h"
 
 #include <math.h>
 #include <string.h>
@@ -7,12 +7,12 @@
 #include "base/room.h"
 
 /** Cells first to last that a sphere touches in each direction. */
-typedef struct clod_insertion_range {
+typedef struct clod_sphere_range {
     int32_t first[3], last[3];
-} clod_insertion_range;
+} clod_sphere_range;
 
 /** Room for what is expected, so that little is copied while it grows: unused pages take no memory. */
-static bool reserve(clod_insertion_grid *self, size_t cells, size_t spheres)
+static bool reserve(clod_sphere_grid *self, size_t cells, size_t spheres)
 {
     return clod_room_for(&self->cell, &self->cell_capacity, cells + cells / 2,
                          sizeof *self->cell) &&
@@ -21,9 +21,9 @@ static bool reserve(clod_insertion_grid *self, size_t cells, size_t spheres)
            clod_room_for(&self->number, &self->number_capacity, spheres, sizeof *self->number);
 }
 
-bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
-                               const double high[3], const double period[3], double largest,
-                               size_t spheres, clod_status *status)
+bool clod_sphere_grid_begin(clod_sphere_grid *self, const double low[3], const double high[3],
+                            const double period[3], double largest, size_t spheres,
+                            clod_status *status)
 {
     self->largest = largest;
     self->sphere_count = self->added = 0;
@@ -43,22 +43,22 @@ bool clod_insertion_grid_begin(clod_insertion_grid *self, const double low[3],
         cells *= (size_t)self->cells[a];
     }
     if (!reserve(self, cells, spheres)) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
+        return clod_status_fail(status, CLOD_FAILED, "no memory for a grid of grains");
     }
     self->cell_count = cells;
-    memset(self->cell, 0xff, cells * sizeof *self->cell); // CLOD_INSERTION_NONE
+    memset(self->cell, 0xff, cells * sizeof *self->cell); // CLOD_SPHERE_NONE
     return true;
 }
 
-static int32_t cell_of(const clod_insertion_grid *self, int axis, double x)
+static int32_t cell_of(const clod_sphere_grid *self, int axis, double x)
 {
     const double c = (x - self->low[axis]) * self->inverse[axis];
     return (int32_t)fmin(fmax(c, 0.0), self->cells[axis] - 1.0);
 }
 
-static clod_insertion_range range_of(const clod_insertion_grid *self, const double place[4])
+static clod_sphere_range range_of(const clod_sphere_grid *self, const double place[4])
 {
-    clod_insertion_range range;
+    clod_sphere_range range;
     for (int a = 0; a < 3; a++) {
         range.first[a] = cell_of(self, a, place[a] - place[3]);
         range.last[a] = cell_of(self, a, place[a] + place[3]);
@@ -75,18 +75,17 @@ static bool apart(const double a[4], const double b[4])
     return x * x + y * y + z * z >= reach * reach;
 }
 
-static size_t cell_index(const clod_insertion_grid *self, int32_t x, int32_t y, int32_t z)
+static size_t cell_index(const clod_sphere_grid *self, int32_t x, int32_t y, int32_t z)
 {
     return ((size_t)z * (size_t)self->cells[1] + (size_t)y) * (size_t)self->cells[0] +
            (size_t)x;
 }
 
-static bool cell_clear(const clod_insertion_grid *self, size_t c, const double place[4])
+static bool cell_clear(const clod_sphere_grid *self, size_t c, const double place[4])
 {
-    for (; c != CLOD_INSERTION_NONE; c = self->cell[c].more) {
-        const clod_insertion_cell *cell = &self->cell[c];
-        for (int k = 0; k < CLOD_INSERTION_NOTES && cell->sphere[k] != CLOD_INSERTION_NONE;
-             k++) {
+    for (; c != CLOD_SPHERE_NONE; c = self->cell[c].more) {
+        const clod_sphere_cell *cell = &self->cell[c];
+        for (int k = 0; k < CLOD_SPHERE_NOTES && cell->sphere[k] != CLOD_SPHERE_NONE; k++) {
             if (!apart(place, self->sphere[cell->sphere[k]])) {
                 return false;
             }
@@ -95,14 +94,14 @@ static bool cell_clear(const clod_insertion_grid *self, size_t c, const double p
     return true;
 }
 
-bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double place[4])
+bool clod_sphere_grid_clear(const clod_sphere_grid *self, const double place[4])
 {
     const size_t middle = cell_index(self, cell_of(self, 0, place[0]),
                                      cell_of(self, 1, place[1]), cell_of(self, 2, place[2]));
     if (!cell_clear(self, middle, place)) { // most of what is in the way is there
         return false;
     }
-    const clod_insertion_range r = range_of(self, place);
+    const clod_sphere_range r = range_of(self, place);
     for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
         for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
             for (int32_t x = r.first[0]; x <= r.last[0]; x++) {
@@ -116,13 +115,13 @@ bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double pla
 }
 
 /** Raise *worst to the largest overlap with the spheres noted in a cell, the newest first. */
-static void cell_overlap(const clod_insertion_grid *self, size_t c, const double place[4],
+static void cell_overlap(const clod_sphere_grid *self, size_t c, const double place[4],
                          double *worst, size_t *sphere)
 {
-    for (; c != CLOD_INSERTION_NONE; c = self->cell[c].more) {
-        for (int k = CLOD_INSERTION_NOTES - 1; k >= 0; k--) {
+    for (; c != CLOD_SPHERE_NONE; c = self->cell[c].more) {
+        for (int k = CLOD_SPHERE_NOTES - 1; k >= 0; k--) {
             const uint32_t note = self->cell[c].sphere[k];
-            if (note == CLOD_INSERTION_NONE || apart(place, self->sphere[note])) {
+            if (note == CLOD_SPHERE_NONE || apart(place, self->sphere[note])) {
                 continue;
             }
             const double *other = self->sphere[note];
@@ -138,11 +137,11 @@ static void cell_overlap(const clod_insertion_grid *self, size_t c, const double
     }
 }
 
-double clod_insertion_grid_overlap(const clod_insertion_grid *self, const double place[4],
-                                   size_t *sphere)
+double clod_sphere_grid_overlap(const clod_sphere_grid *self, const double place[4],
+                                size_t *sphere)
 {
     double worst = 0.0;
-    const clod_insertion_range r = range_of(self, place);
+    const clod_sphere_range r = range_of(self, place);
     for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
         for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
             for (int32_t x = r.first[0]; x <= r.last[0]; x++) {
@@ -155,21 +154,21 @@ double clod_insertion_grid_overlap(const clod_insertion_grid *self, const double
 
 static bool fail_without_room(clod_status *status)
 {
-    return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
+    return clod_status_fail(status, CLOD_FAILED, "no memory for a grid of grains");
 }
 
 /** Note the sphere that was kept last in a cell. Cells and spheres are counted with 32 bits. */
-static bool note_in(clod_insertion_grid *self, size_t c, clod_status *status)
+static bool note_in(clod_sphere_grid *self, size_t c, clod_status *status)
 {
     const uint32_t sphere = (uint32_t)(self->sphere_count - 1);
     uint32_t *note = self->cell[c].sphere;
-    for (int k = 0; k < CLOD_INSERTION_NOTES; k++) {
-        if (note[k] == CLOD_INSERTION_NONE) {
+    for (int k = 0; k < CLOD_SPHERE_NOTES; k++) {
+        if (note[k] == CLOD_SPHERE_NONE) {
             note[k] = sphere;
             return true;
         }
     }
-    if (self->cell_count == CLOD_INSERTION_NONE ||
+    if (self->cell_count == CLOD_SPHERE_NONE ||
         !clod_room_for_one(&self->cell, &self->cell_capacity, self->cell_count,
                            sizeof *self->cell)) {
         return fail_without_room(status);
@@ -182,9 +181,9 @@ static bool note_in(clod_insertion_grid *self, size_t c, clod_status *status)
 }
 
 /** A sphere, or an image of it, that is noted in cells then. */
-static bool keep(clod_insertion_grid *self, const double place[4], clod_status *status)
+static bool keep(clod_sphere_grid *self, const double place[4], clod_status *status)
 {
-    if (self->sphere_count == CLOD_INSERTION_NONE ||
+    if (self->sphere_count == CLOD_SPHERE_NONE ||
         !clod_room_for_one(&self->sphere, &self->sphere_capacity, self->sphere_count,
                            sizeof *self->sphere) ||
         !clod_room_for_one(&self->number, &self->number_capacity, self->sphere_count,
@@ -197,12 +196,12 @@ static bool keep(clod_insertion_grid *self, const double place[4], clod_status *
 }
 
 /** Note one image of a sphere. */
-static bool add_image(clod_insertion_grid *self, const double place[4], clod_status *status)
+static bool add_image(clod_sphere_grid *self, const double place[4], clod_status *status)
 {
     if (!keep(self, place, status)) {
         return false;
     }
-    const clod_insertion_range r = range_of(self, place);
+    const clod_sphere_range r = range_of(self, place);
     for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
         for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
             for (int32_t x = r.first[0]; x <= r.last[0]; x++) {
@@ -216,7 +215,7 @@ static bool add_image(clod_insertion_grid *self, const double place[4], clod_sta
 }
 
 /** Coordinates of a sphere's images along an axis, if a sphere in the box can reach them; how many. */
-static int images(const clod_insertion_grid *self, int axis, const double place[4], double x[3])
+static int images(const clod_sphere_grid *self, int axis, const double place[4], double x[3])
 {
     const double reach = place[3] + self->largest;
     int count = 0;
@@ -230,8 +229,7 @@ static int images(const clod_insertion_grid *self, int axis, const double place[
     return count;
 }
 
-bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
-                             clod_status *status)
+bool clod_sphere_grid_add(clod_sphere_grid *self, const double place[4], clod_status *status)
 {
     double x[3], y[3], z[3];
     const int nx = images(self, 0, place, x);
@@ -248,10 +246,10 @@ bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
     return true;
 }
 
-void clod_insertion_grid_fini(clod_insertion_grid *self)
+void clod_sphere_grid_fini(clod_sphere_grid *self)
 {
     clod_memory_free(self->cell);
     clod_memory_free(self->sphere);
     clod_memory_free(self->number);
-    *self = (clod_insertion_grid){0};
+    *self = (clod_sphere_grid){0};
 }
