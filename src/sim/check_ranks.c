@@ -24,7 +24,6 @@
 #define REBUILD 2.45          ///< times as much in a rebuild: 784 over 320
 #define DEAL_BYTES_0 720.0    ///< made and dealt, rank 0: mean of 2 to 8 ranks
 #define DEAL_BYTES 760.0      ///< the same, another rank
-#define RANDOM_BYTES 80.0     ///< of a grain at a random position, rank 0: docs/adr/0042
 #define WHOLE_BYTES_0 560.0   ///< of the whole bed, dealt by rank 0: 558 and 579
 #define WHOLE_BYTES 1500.0    ///< another rank: 656 with 2 ranks and 400 with 4
 #define GATHERED_BYTES 1250.0 ///< of the whole bed, gathered on rank 0: 1 229
@@ -127,6 +126,6 @@ clod_check_ranks_memory clod_check_ranks_memory_of(const clod_check_ranks_bed *b
         return (clod_check_ranks_memory){WHOLE_BYTES_0 * bed->grains, WHOLE_BYTES * share.own,
                                          fmax(steps, gathered), steps};
     }
-    return (clod_check_ranks_memory){DEAL_BYTES_0 * share.own + RANDOM_BYTES * start->random,
-                                     DEAL_BYTES * share.own, fmax(steps, gathered), steps};
+    return (clod_check_ranks_memory){DEAL_BYTES_0 * share.own, DEAL_BYTES * share.own,
+                                     fmax(steps, gathered), steps};
 }

@@ -31,7 +31,6 @@ typedef struct clod_check_ranks_machine {
 
 /** What decides how the bed begins, and whether it is gathered. */
 typedef struct clod_check_ranks_start {
-    double random; ///< grains at random positions
     bool whole;    ///< rank 0 has the whole bed at the start
     bool gathered; ///< and while it steps
 } clod_check_ranks_start;

@@ -9,9 +9,8 @@
 #include "sim/group.h"
 #include "sim/testers.h"
 
-#define PROGRAM_BYTES 35e6   ///< rank 0 of 100 grains on 2 and 4 ranks, 2026-11-26: 35 and 37
-#define SOLID_FRACTION 0.6   ///< of a settled bed
-#define RANDOM_FRACTION 0.33 ///< above it grains are put in layers (setup/insertion.c)
+#define PROGRAM_BYTES 35e6 ///< rank 0 of 100 grains on 2 and 4 ranks, 2026-11-26: 35 and 37
+#define SOLID_FRACTION 0.6 ///< of a settled bed
 #define MICRO 1e6
 
 /** Two digits: the model has no more. */
@@ -24,31 +23,15 @@ static double two_digits(double x)
     return round(x / unit) * unit;
 }
 
-static double region_volume(const clod_case_region *region)
-{
-    if (region->kind == CLOD_REGION_BOX) {
-        return (region->max[0] - region->min[0]) * (region->max[1] - region->min[1]) *
-               (region->max[2] - region->min[2]);
-    }
-    return M_PI * region->height *
-           (region->outer_radius * region->outer_radius -
-            region->inner_radius * region->inner_radius);
-}
-
-/** How the bed begins; groups are taken to be as dense as all are together. */
-static clod_check_ranks_start start_of(const clod_case *from, const clod_check_report *report)
+/** How the bed begins. */
+static clod_check_ranks_start start_of(const clod_case *from)
 {
     const bool tester = clod_case_tester(from) != NULL;
-    clod_check_ranks_start start = {.whole = tester};
-    double room = 0.0;
+    clod_check_ranks_start start = {.whole = tester,
+                                    .gathered = tester || from->output.contacts};
     for (size_t g = 0; g < from->grains_count; g++) {
         start.whole = start.whole || from->grains[g].file != NULL;
-        room += from->grains[g].comes ? 0.0 : region_volume(&from->grains[g].region);
     }
-    start.random = room > 0.0 && report->solid_volume < RANDOM_FRACTION * room
-                       ? (double)report->grains
-                       : 0.0;
-    start.gathered = tester || from->output.contacts;
     return start;
 }
 
@@ -130,7 +113,7 @@ void clod_check_ranks_look(const clod_check_subject *subject, clod_check_report 
     const clod_check_ranks_share share = clod_check_ranks_share_of(&bed);
     told->own = share.own;
     told->ghosts = two_digits(share.ghosts);
-    const clod_check_ranks_start start = start_of(subject->from, report);
+    const clod_check_ranks_start start = start_of(subject->from);
     find_memory(&bed, &start, report);
 }
 
