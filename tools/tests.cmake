@@ -48,7 +48,7 @@ endfunction()
 # All that the tests with the label threaded need: folders and programs in which several threads work,
 # among them ranks as threads of one process.
 add_custom_target(threaded DEPENDS clod)
-set(CLOD_THREADED "^(parallel|step)$|^test_(deal|deal_again|run_ranks|sim_ranks|sim_ranks_mistakes)$")
+set(CLOD_THREADED "^(parallel|step)$|^test_(deal|deal_again|deal_random|run_ranks|sim_ranks|sim_ranks_mistakes)$")
 
 file(GLOB CLOD_TEST_SOURCES CONFIGURE_DEPENDS tests/*/test_*.c)
 if(NOT TARGET clod_calibrate)
@@ -86,11 +86,13 @@ target_sources(test_duration PRIVATE app/duration.c)
 target_include_directories(test_duration PRIVATE app)
 
 # They let calls for memory fail, or look at them.
-foreach(name test_sim_memory test_ranks_memory test_ranks_slabs test_deal)
+foreach(name test_sim_memory test_ranks_memory test_ranks_slabs test_deal test_deal_random)
   target_link_options(${name} PRIVATE -Wl,--wrap=aligned_alloc)
 endforeach()
 target_link_options(test_ranks_memory PRIVATE -Wl,--wrap=clod_spread_cut)
-target_link_options(test_deal PRIVATE -Wl,--wrap=free)
+foreach(name test_deal test_deal_random)
+  target_link_options(${name} PRIVATE -Wl,--wrap=free)
+endforeach()
 
 # examples/NAME.c: each says on its last line what it found beside what should be, and fails when
 # they differ. tools/check-library builds them as users do.

@@ -101,7 +101,7 @@ static void answer(const clod_crew_places *self, const clod_bytes *in, clod_byte
 {
     const double(*place)[4] = (const double(*)[4])(const void *)in->data;
     for (size_t k = 0; k < in->count / sizeof *place; k++) {
-        const char clear = clod_sphere_grid_clear(&self->grid, place[k]);
+        const char clear = clod_sphere_grid_clear(&self->grid, place[k]) ? 1 : 0;
         clod_bytes_put(out, &clear, 1);
     }
 }
