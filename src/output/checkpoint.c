@@ -113,7 +113,7 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
                            size_t part_count, const char *case_text, clod_status *status)
 {
     clod_checkpoint_file files[2];
-    const bool found = clod_checkpoint_file_find(files, folder, stem, status);
+    const bool found = clod_checkpoint_file_find(files, folder, stem, false, status);
     clod_checkpoint_file_release(files);
     if (!found) {
         return false;
@@ -332,7 +332,7 @@ bool clod_checkpoint_get(const clod_folder *folder, const char *stem, clod_state
         notice[0] = '\0';
     }
     clod_checkpoint_file files[2];
-    if (!clod_checkpoint_file_find(files, folder, stem, status)) {
+    if (!clod_checkpoint_file_find(files, folder, stem, true, status)) {
         clod_checkpoint_file_release(files);
         return false;
     }

@@ -79,56 +79,57 @@ static bool scan_head(const char text[CLOD_CHECKPOINT_HEAD_BYTES], clod_checkpoi
 }
 
 /**
- * Whether an open file of `size` bytes is whole; else its `reason` says why not, but for errors
- * of the system.
+ * Read the head of an open file of `size` bytes; when it is not one, or not of so many bytes, `reason`
+ * says so.
  *
  * @return  0 or an errno value
  */
-static int check_whole(clod_checkpoint_file *file, size_t size)
+static int read_head(clod_checkpoint_file *file, size_t size)
 {
-    clod_checkpoint_head *head = &file->head;
     if (size < CLOD_CHECKPOINT_HEAD_BYTES) {
         snprintf(file->reason, sizeof file->reason, "it has only %zu bytes, it was cut off",
                  size);
         return 0;
     }
-    char text[CLOD_CHECKPOINT_HEAD_BYTES], again[CLOD_CHECKPOINT_HEAD_BYTES];
-    int error = clod_file_read_at(file->descriptor, 0, text, sizeof text);
+    char text[CLOD_CHECKPOINT_HEAD_BYTES];
+    clod_checkpoint_head *head = &file->head;
+    const int error = clod_file_read_at(file->descriptor, 0, text, sizeof text);
     if (error != 0) {
         return error;
     }
     if (!scan_head(text, head)) {
+        *head = (clod_checkpoint_head){0};
         snprintf(file->reason, sizeof file->reason,
                  "it does not begin like a checkpoint of clod");
-        return 0;
-    }
-    if (head->bytes != size - CLOD_CHECKPOINT_HEAD_BYTES) {
+    } else if (head->bytes != size - CLOD_CHECKPOINT_HEAD_BYTES) {
         snprintf(file->reason, sizeof file->reason, "it has %zu bytes, its head says %" PRIu64,
                  size, head->bytes + CLOD_CHECKPOINT_HEAD_BYTES);
-        return 0;
     }
-    error = clod_checkpoint_file_print_head(again, head, file->descriptor);
-    file->whole = error == 0 && memcmp(again, text, sizeof text) == 0;
-    if (error == 0 && !file->whole) {
-        snprintf(file->reason, sizeof file->reason,
-                 "its content does not fit its checksum, it is damaged");
-    }
-    return error;
+    return 0;
 }
 
-/** Open a file and check it; 0 or an errno value. */
-static int look_at(clod_checkpoint_file *file, const clod_folder *folder)
+/** Open a file and read its head; 0 or an errno value. */
+static int open_head(clod_checkpoint_file *file, const clod_folder *folder)
 {
     file->descriptor = clod_file_open(folder->descriptor, file->name, O_RDONLY);
     if (file->descriptor < 0) {
         return errno;
     }
     struct stat info;
-    const int error =
-        fstat(file->descriptor, &info) == 0 ? check_whole(file, (size_t)info.st_size) : errno;
-    if (!file->whole) {
-        clod_file_close(file->descriptor); // nothing was written
-        file->descriptor = -1;
+    return fstat(file->descriptor, &info) == 0 ? read_head(file, (size_t)info.st_size) : errno;
+}
+
+/** Read a file with a good head through; else its `reason` says why it is not whole. 0 or an errno value. */
+static int check_whole(clod_checkpoint_file *file)
+{
+    char text[CLOD_CHECKPOINT_HEAD_BYTES], again[CLOD_CHECKPOINT_HEAD_BYTES];
+    int error = clod_file_read_at(file->descriptor, 0, text, sizeof text);
+    error = error == 0 ? clod_checkpoint_file_print_head(again, &file->head, file->descriptor)
+                       : error;
+    file->whole = error == 0 && memcmp(again, text, sizeof text) == 0;
+    if (error == 0 && !file->whole) {
+        snprintf(file->reason, sizeof file->reason,
+                 "its content does not fit its checksum, it is damaged");
     }
     return error;
 }
@@ -148,24 +149,63 @@ static bool is_of_disk(int error)
     return error == EIO || error == EUCLEAN || error == EBADMSG;
 }
 
-bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder *folder,
-                               const char *stem, clod_status *status)
+/** What an error means for a file: it is not there, the disk cannot read it, or the search fails. */
+static bool take_error(clod_checkpoint_file *file, const clod_folder *folder, int error,
+                       clod_status *status)
+{
+    if (is_of_disk(error)) {
+        snprintf(file->reason, sizeof file->reason, "it cannot be read: %s", strerror(error));
+    } else if (error != 0 && error != ENOENT) {
+        return clod_folder_fail(folder, "read", file->name, error, status);
+    }
+    return true;
+}
+
+static void close_file(clod_checkpoint_file *file)
+{
+    if (file->descriptor >= 0) {
+        clod_file_close(file->descriptor); // nothing was written
+        file->descriptor = -1;
+    }
+}
+
+/** Names and heads of both files. */
+static bool open_both(clod_checkpoint_file files[2], const clod_folder *folder,
+                      const char *stem, clod_status *status)
 {
     for (int f = 0; f < 2; f++) {
         files[f] = (clod_checkpoint_file){.descriptor = -1};
     }
     for (int f = 0; f < 2; f++) {
-        clod_checkpoint_file *file = &files[f];
-        if (!set_name(file, folder, stem, "ab"[f], status)) {
+        if (!set_name(&files[f], folder, stem, "ab"[f], status)) {
             return false;
         }
-        const int error = look_at(file, folder);
-        file->there = error != ENOENT;
-        if (is_of_disk(error)) {
-            snprintf(file->reason, sizeof file->reason, "it cannot be read: %s",
-                     strerror(error));
-        } else if (error != 0 && file->there) {
-            return clod_folder_fail(folder, "read", file->name, error, status);
+        const int error = open_head(&files[f], folder);
+        files[f].there = error != ENOENT;
+        if (!take_error(&files[f], folder, error, status)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder *folder,
+                               const char *stem, bool both, clod_status *status)
+{
+    if (!open_both(files, folder, stem, status)) {
+        return false;
+    }
+    const int first = files[1].head.sequence > files[0].head.sequence ? 1 : 0;
+    for (int k = 0; k < 2; k++) {
+        clod_checkpoint_file *file = &files[k == 0 ? first : 1 - first];
+        const bool wanted = k == 0 || both || !files[first].whole;
+        const bool good = file->descriptor >= 0 && file->reason[0] == '\0';
+        const int error = good && wanted ? check_whole(file) : 0;
+        if (!file->whole) {
+            close_file(file);
+        }
+        if (!take_error(file, folder, error, status)) {
+            return false;
         }
     }
     return true;
@@ -174,10 +214,7 @@ bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder 
 void clod_checkpoint_file_release(clod_checkpoint_file files[2])
 {
     for (int f = 0; f < 2; f++) {
-        if (files[f].descriptor >= 0) {
-            clod_file_close(files[f].descriptor); // nothing was written
-            files[f].descriptor = -1;
-        }
+        close_file(&files[f]);
     }
 }
 

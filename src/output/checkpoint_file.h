@@ -51,15 +51,19 @@ bool clod_checkpoint_file_seal(const clod_folder_draft *draft, const clod_checkp
                                clod_status *status);
 
 /**
- * Read both files through and check them; call clod_checkpoint_file_release in any case.
+ * Find the whole file that was written last; call clod_checkpoint_file_release in any case. It is read through and
+ * checked, and the other one if it is not whole.
+ *
+ * @param both  check the other one in any case, to tell what is wrong with it; else it may count as not
+ *              whole unread
  *
  * A file that the disk cannot read (EIO) is there and not whole; the other one may do. Every
  * other error but ENOENT (no right, no memory) fails: the file may be good.
  */
 bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder *folder,
-                               const char *stem, clod_status *status);
+                               const char *stem, bool both, clod_status *status);
 
 void clod_checkpoint_file_release(clod_checkpoint_file files[2]);
 
-/** Index of the whole file written last, or -1. */
+/** Index of the whole file written last, of those found, or -1. */
 int clod_checkpoint_file_newest(const clod_checkpoint_file files[2]);

@@ -272,7 +272,8 @@ static void another_format_is_refused_and_not_taken_for_damage(void **folder)
     // a file of a later clod: the same data behind a head with the next format
     clod_status status;
     clod_checkpoint_file files[2];
-    assert_true(clod_checkpoint_file_find(files, temp_folder(folder), "restart", &status));
+    assert_true(
+        clod_checkpoint_file_find(files, temp_folder(folder), "restart", true, &status));
     assert_int_equal(clod_checkpoint_file_newest(files), 1);
     size_t size;
     char *bytes = temp_read(folder, "restart_b.h5", &size);
