@@ -100,7 +100,7 @@ static bool put_state(clod_hdf *hdf, const clod_state *state, const clod_bed_sou
     clod_bed_counts all;
     put_attributes(hdf, state);
     put_columns(hdf, state);
-    const bool good = bed->begin(bed->context, false, &all, status) &&
+    const bool good = bed->begin(bed->context, (clod_bed_wants){0}, &all, status) &&
                       put_grains(hdf, state, bed, all.grains, status) &&
                       clod_checkpoint_walls_put(hdf, &state->walls, status) &&
                       clod_checkpoint_contacts_put(hdf, bed, &all, status);

@@ -71,7 +71,7 @@ bool clod_checkpoint_contacts_put(clod_hdf *hdf, const clod_bed_source *bed,
     }
     for (size_t first = 0, count = 0; good && first < total; first += count) {
         count = slab_rows(total);
-        good = bed->contacts(bed->context, &count, some.contacts, some.partners, status);
+        good = bed->contacts(bed->context, &count, some.contacts, some.partners, NULL, status);
         if (good) {
             CLOD_ASSERT(count > 0);
             put_slab(hdf, &some, first, count);

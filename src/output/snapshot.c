@@ -115,7 +115,7 @@ static bool put_grains(clod_hdf *hdf, const scene *self, clod_status *status)
 {
     clod_bed_counts all;
     const clod_bed_source *bed = self->bed;
-    const bool good = bed->begin(bed->context, true, &all, status) &&
+    const bool good = bed->begin(bed->context, (clod_bed_wants){.each = true}, &all, status) &&
                       put_slabs(hdf, self, all.grains, status);
     bed->end(bed->context);
     return good && clod_vtk_cells_put(hdf, all.grains, VTK_VERTEX, 1, status);
@@ -202,17 +202,17 @@ typedef struct clod_contact_line {
     uint64_t id[2];
 } clod_contact_line;
 
-static clod_contact_line contact_line(const clod_state *state, const clod_contact *contact)
+static clod_contact_line contact_line(const clod_domain *domain, const clod_bed_line *from,
+                                      const uint64_t partners[2])
 {
-    const double *a = state->grains.position[contact->i];
-    const double *b = state->grains.position[contact->j];
-    clod_contact_line line = {
-        .id = {state->grains.id[contact->i], state->grains.id[contact->j]}};
+    const double *a = from->place[0];
+    const double *b = from->place[1];
+    clod_contact_line line = {.pull_off = from->pull_off, .id = {partners[0], partners[1]}};
     double square = 0.0;
     for (int d = 0; d < 3; d++) {
-        const double length = state->domain.max[d] - state->domain.min[d];
+        const double length = domain->max[d] - domain->min[d];
         double step = b[d] - a[d];
-        if (state->domain.periodic[d]) {
+        if (domain->periodic[d]) {
             step -= length * nearbyint(step / length);
         }
         line.end[0][d] = a[d];
@@ -228,11 +228,33 @@ enum { LINE_COLUMNS = 4 + CLOD_HISTORY_FIELDS };
 /** Contacts on their way into a picture. */
 typedef struct slab {
     clod_contact *contacts;
+    uint64_t (*partners)[2];
+    clod_bed_line *from;
     clod_contact_line *lines;
     double (*ends)[3]; ///< two of each
     char name[CLOD_HISTORY_FIELDS][64];
     clod_hdf_column column[LINE_COLUMNS];
 } slab;
+
+static bool slab_init(slab *self, size_t rows)
+{
+    *self = (slab){.contacts = clod_memory_alloc(rows, sizeof *self->contacts),
+                   .partners = clod_memory_alloc(rows, sizeof *self->partners),
+                   .from = clod_memory_alloc(rows, sizeof *self->from),
+                   .lines = clod_memory_alloc(rows, sizeof *self->lines),
+                   .ends = clod_memory_alloc(2 * rows, sizeof *self->ends)};
+    return self->contacts != NULL && self->partners != NULL && self->from != NULL &&
+           self->lines != NULL && self->ends != NULL;
+}
+
+static void slab_fini(slab *self)
+{
+    clod_memory_free(self->contacts);
+    clod_memory_free(self->partners);
+    clod_memory_free(self->from);
+    clod_memory_free(self->lines);
+    clod_memory_free(self->ends);
+}
 
 /** List the columns of so many contacts: ends, ids, overlap, and every quantity of histories.
  */
@@ -262,15 +284,11 @@ static void list_lines(slab *self, size_t count)
 }
 
 /** Write lines from number `first` on, of contacts that were just read. */
-static void put_lines(clod_hdf *hdf, const clod_state *state, const clod_contact_source *from,
-                      slab *self, const size_t range[2])
+static void put_lines(clod_hdf *hdf, const clod_domain *domain, slab *self, size_t first,
+                      size_t count)
 {
-    const size_t first = range[0], count = range[1];
     for (size_t c = 0; c < count; c++) {
-        self->lines[c] = contact_line(state, &self->contacts[c]);
-        if (from->strength != NULL) {
-            self->lines[c].pull_off = from->strength(from->laws, &self->contacts[c]).pull_off;
-        }
+        self->lines[c] = contact_line(domain, &self->from[c], self->partners[c]);
         memcpy(self->ends[2 * c], self->lines[c].end, sizeof self->lines[c].end);
     }
     list_lines(self, count);
@@ -280,37 +298,41 @@ static void put_lines(clod_hdf *hdf, const clod_state *state, const clod_contact
     }
 }
 
-static bool put_contacts(clod_hdf *hdf, const clod_state *state,
-                         const clod_contact_source *from, clod_status *status)
+/** Lines of all contacts of grains, slab by slab. */
+static bool put_all_lines(clod_hdf *hdf, const scene *self, size_t count, clod_status *status)
 {
-    size_t n, walls;
-    from->begin(from->context, &n, &walls);
-    const size_t most = n < CLOD_HDF_SLAB ? n : CLOD_HDF_SLAB;
-    slab some = {clod_memory_alloc(most + 1, sizeof *some.contacts),
-                 clod_memory_alloc(most + 1, sizeof *some.lines),
-                 clod_memory_alloc(2 * most + 1, sizeof *some.ends),
-                 {{0}},
-                 {{0}}};
-    const bool good = some.contacts != NULL && some.lines != NULL && some.ends != NULL;
+    const clod_bed_source *bed = self->bed;
+    const size_t most = count < CLOD_HDF_SLAB ? count : CLOD_HDF_SLAB;
+    slab some;
+    bool good =
+        slab_init(&some, most + 1) ||
+        clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot of the contacts.");
     if (good) {
-        list_lines(&some, n);
+        list_lines(&some, count);
         for (int k = 0; k < LINE_COLUMNS; k++) {
             clod_hdf_make(hdf, &some.column[k]);
         }
     }
-    for (size_t first = 0, count = 0; good && first < n; first += count) {
-        count = from->next(from->context, some.contacts, n - first < most ? n - first : most);
-        CLOD_ASSERT(count > 0);
-        put_lines(hdf, state, from, &some, (const size_t[2]){first, count});
+    for (size_t first = 0, n = 0; good && first < count; first += n) {
+        n = count - first < most ? count - first : most;
+        good = bed->contacts(bed->context, &n, some.contacts, some.partners, some.from, status);
+        if (good) {
+            CLOD_ASSERT(n > 0);
+            put_lines(hdf, &self->state->domain, &some, first, n);
+        }
     }
-    clod_memory_free(some.contacts);
-    clod_memory_free(some.lines);
-    clod_memory_free(some.ends);
-    if (!good) {
-        return clod_status_fail(status, CLOD_FAILED,
-                                "No memory for a snapshot of the contacts.");
-    }
-    return clod_vtk_cells_put(hdf, n, VTK_LINE, 2, status);
+    slab_fini(&some);
+    return good;
+}
+
+static bool put_contacts(clod_hdf *hdf, const scene *self, clod_status *status)
+{
+    clod_bed_counts all;
+    const clod_bed_source *bed = self->bed;
+    const bool good = bed->begin(bed->context, (clod_bed_wants){.lines = true}, &all, status) &&
+                      put_all_lines(hdf, self, all.pairs, status);
+    bed->end(bed->context);
+    return good && clod_vtk_cells_put(hdf, all.pairs, VTK_LINE, 2, status);
 }
 
 /** Write one picture into an open file. */
@@ -327,7 +349,7 @@ static bool put_picture(const clod_hdf_place *place, const scene *self, int kind
     clod_hdf_put_real(hdf, "/", VTK_TIME, state->time);
     const bool good = kind == GRAINS  ? put_grains(hdf, self, status)
                       : kind == WALLS ? put_walls(hdf, state, self->view, status)
-                                      : put_contacts(hdf, state, self->bed->here, status);
+                                      : put_contacts(hdf, self, status);
     clod_status finishing;
     uint64_t size;
     return clod_hdf_finish(&hdf, &size, good ? status : &finishing) && good;

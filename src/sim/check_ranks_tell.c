@@ -27,8 +27,7 @@ static double two_digits(double x)
 static clod_check_ranks_start start_of(const clod_case *from)
 {
     const bool tester = clod_case_tester(from) != NULL;
-    clod_check_ranks_start start = {.whole = tester,
-                                    .gathered = tester || from->output.contacts};
+    clod_check_ranks_start start = {.whole = tester, .gathered = tester};
     for (size_t g = 0; g < from->grains_count; g++) {
         start.whole = start.whole || from->grains[g].file != NULL;
     }

@@ -101,9 +101,6 @@ static bool with_survey(job_loop *loop,
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    if (loop->job->sim->from->output.contacts && !clod_step_see(&loop->step, status)) {
-        return false;
-    }
     clod_step_bed view;
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);

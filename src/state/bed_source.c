@@ -1,5 +1,7 @@
 #include "state/bed_source.h"
 
+#include <string.h>
+
 #include "base/memory.h"
 #include "state/contact_walk.h"
 
@@ -22,11 +24,12 @@ static bool count_each(clod_bed_view *self)
     return true;
 }
 
-static bool begin(void *context, bool each, clod_bed_counts *all, clod_status *status)
+static bool begin(void *context, clod_bed_wants wants, clod_bed_counts *all,
+                  clod_status *status)
 {
     clod_bed_view *self = context;
     all->grains = self->state->grains.count;
-    if (each && !count_each(self)) {
+    if (wants.each && !count_each(self)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
                                 all->grains);
     }
@@ -50,8 +53,20 @@ static bool get_grains(void *context, size_t first, size_t count, clod_bed_slab 
     return true;
 }
 
+clod_bed_line clod_bed_line_of(const clod_state *state, const clod_contact_source *from,
+                               const clod_contact *contact)
+{
+    clod_bed_line line = {.pull_off = 0.0};
+    memcpy(line.place[0], state->grains.position[contact->i], sizeof line.place[0]);
+    memcpy(line.place[1], state->grains.position[contact->j], sizeof line.place[1]);
+    if (from->strength != NULL) {
+        line.pull_off = from->strength(from->laws, contact).pull_off;
+    }
+    return line;
+}
+
 static bool get_contacts(void *context, size_t *count, clod_contact *to,
-                         uint64_t (*partners)[2], clod_status *status)
+                         uint64_t (*partners)[2], clod_bed_line *lines, clod_status *status)
 {
     (void)status;
     clod_bed_view *self = context;
@@ -61,6 +76,9 @@ static bool get_contacts(void *context, size_t *count, clod_contact *to,
         const bool pair = c < self->pairs;
         partners[c][0] = id[to[c].i];
         partners[c][1] = pair ? id[to[c].j] : (uint64_t)to[c].j;
+        if (pair && lines != NULL) {
+            lines[c] = clod_bed_line_of(self->state, &self->contacts, &to[c]);
+        }
     }
     self->pairs -= *count < self->pairs ? *count : self->pairs;
     return true;
@@ -82,6 +100,5 @@ clod_bed_source clod_bed_source_of(clod_bed_view *self, const clod_state *state,
                              .begin = begin,
                              .grains = get_grains,
                              .contacts = get_contacts,
-                             .end = end,
-                             .here = &self->contacts};
+                             .end = end};
 }

@@ -17,16 +17,28 @@ typedef struct clod_bed_slab {
     const int32_t *contacts; ///< [rows->grains.count] of each with grains and walls, if wanted
 } clod_bed_slab;
 
+/** What is wanted beside grains and contacts. */
+typedef struct clod_bed_wants {
+    bool each;  ///< numbers of contacts of each grain
+    bool lines; ///< where the grains of contacts are
+} clod_bed_wants;
+
+/** A contact of two grains as a picture has it. */
+typedef struct clod_bed_line {
+    double place[2][4]; ///< m, centres and radii of both grains
+    double pull_off;    ///< N; 0 too where nobody knows the laws
+} clod_bed_line;
+
 typedef struct clod_bed_source {
     void *context; ///< of the functions, borrowed
 
     /**
      * Go before the first grain and contact. Then `end`, in any case.
      *
-     * @param each  the numbers of contacts of each grain are wanted
      * Errors  CLOD_FAILED: memory, as of the next two.
      */
-    bool (*begin)(void *context, bool each, clod_bed_counts *all, clod_status *status);
+    bool (*begin)(void *context, clod_bed_wants wants, clod_bed_counts *all,
+                  clod_status *status);
 
     /** Get the grains [first, first + count); `first` rises. */
     bool (*grains)(void *context, size_t first, size_t count, clod_bed_slab *slab,
@@ -37,14 +49,12 @@ typedef struct clod_bed_source {
      *
      * @param count     [in,out] room; how many there were: 0 only at the end
      * @param partners  [room] [out] ids of both grains; id of the grain and number of the wall
+     * @param lines     [room] [out] of pairs, if they are wanted; else NULL
      */
     bool (*contacts)(void *context, size_t *count, clod_contact *to, uint64_t (*partners)[2],
-                     clod_status *status);
+                     clod_bed_line *lines, clod_status *status);
 
     void (*end)(void *context);
-
-    /** The contacts with their rows, when the state has all grains; else NULL. */
-    const clod_contact_source *here;
 } clod_bed_source;
 
 /** A bed that is in a state. */
@@ -56,6 +66,16 @@ typedef struct clod_bed_view {
     int32_t *each;   ///< [grains] owned
     size_t pairs;    ///< that are still to come
 } clod_bed_view;
+
+/**
+ * A contact of two grains as a line.
+ *
+ * @param state  its rows
+ * @param from   whose `strength` counts; it may be NULL
+ * Threads  pure.
+ */
+clod_bed_line clod_bed_line_of(const clod_state *state, const clod_contact_source *from,
+                               const clod_contact *contact);
 
 /**
  * The grains and contacts of a state.

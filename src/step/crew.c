@@ -346,7 +346,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         clod_crew_part_see_gone(self, &status);
         break;
     case CLOD_CREW_SLABS_BEGIN:
-        clod_crew_slabs_begin(self, false, &all, &status);
+        clod_crew_slabs_begin(self, (clod_bed_wants){0}, &all, &status);
         break;
     case CLOD_CREW_SLABS_BRING:
         clod_crew_slabs_bring(self, NULL, &status);

@@ -87,7 +87,7 @@ static void add_counts(const void *context, void *into, const void *from)
     mine->walls += other->walls;
 }
 
-bool clod_crew_slabs_begin(clod_crew *self, bool each, clod_bed_counts *all,
+bool clod_crew_slabs_begin(clod_crew *self, clod_bed_wants wants, clod_bed_counts *all,
                            clod_status *status)
 {
     clod_crew_slabs *slabs = &self->slabs;
@@ -95,9 +95,10 @@ bool clod_crew_slabs_begin(clod_crew *self, bool each, clod_bed_counts *all,
         return false;
     }
     clod_crew_slabs_end(self); // of one that came to no end
-    clod_ranks_tell(self->ranks, &each, sizeof each);
+    clod_ranks_tell(self->ranks, &wants, sizeof wants);
+    slabs->lines = wants.lines;
     const bool good =
-        list_own(self, each) ||
+        list_own(self, wants.each) ||
         clod_status_fail(status, CLOD_FAILED, "no memory to write %zu grains", slabs->own);
     if (!clod_ranks_agree(self->ranks, good, status) || !clod_crew_number(self, status)) {
         return false;
@@ -128,7 +129,16 @@ static void pack_grains(clod_crew *self, const clod_crew_range *range)
     }
 }
 
-/** Number of the first grain, and the contact, of those that come next. */
+/** The line of the contact that is due, if lines are wanted and it is one of grains. */
+static void put_line(clod_crew_slabs *self, const clod_state *state)
+{
+    if (self->lines && self->due->shape < 0) {
+        const clod_bed_line line = clod_bed_line_of(state, &self->contacts, self->due);
+        clod_bytes_put(&self->out, &line, sizeof line);
+    }
+}
+
+/** Number of the first grain, the contact, and its line, of those that come next. */
 static void pack_contacts(clod_crew *self, const clod_crew_range *range)
 {
     clod_crew_slabs *slabs = &self->slabs;
@@ -144,6 +154,7 @@ static void pack_contacts(clod_crew *self, const clod_crew_range *range)
             }
             clod_bytes_put(&slabs->out, &number, sizeof number);
             clod_records_put_contact(&slabs->out, &self->state.grains, slabs->due);
+            put_line(slabs, &self->state);
         }
         slabs->due = clod_contact_walk_next(&slabs->walk);
     }

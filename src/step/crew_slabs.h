@@ -27,6 +27,7 @@ typedef struct clod_crew_slabs {
     int32_t *row;     ///< [own] they ascend; owned, as the next
     uint64_t *number; ///< [own] in the order of all grains: they ascend
     int32_t *each;    ///< [own] contacts with grains and walls; NULL: not wanted
+    bool lines;       ///< are wanted with contacts of grains
     // contacts on their way out
     clod_step_reader reader;
     clod_contact_source contacts;
@@ -55,11 +56,11 @@ bool clod_crew_number(clod_crew *self, clod_status *status);
 /**
  * Number grains, and begin with the first contact.
  *
- * @param each  of rank 0: contacts of each grain are wanted
+ * @param wants  of rank 0
  * @param all   [out] counts of the bed
  * @return      false on all alike: no memory, or a crew that is broken; then clod_crew_slabs_end
  */
-bool clod_crew_slabs_begin(clod_crew *self, bool each, clod_bed_counts *all,
+bool clod_crew_slabs_begin(clod_crew *self, clod_bed_wants wants, clod_bed_counts *all,
                            clod_status *status);
 
 /** Bring rank 0 what it asks for, into `in`: records of each rank. False on all alike. */

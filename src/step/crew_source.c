@@ -18,7 +18,8 @@ static bool bring(clod_crew *self, const clod_crew_range *range, clod_status *st
     return clod_crew_slabs_bring(self, range, status);
 }
 
-static bool begin(void *context, bool each, clod_bed_counts *all, clod_status *status)
+static bool begin(void *context, clod_bed_wants wants, clod_bed_counts *all,
+                  clod_status *status)
 {
     clod_crew *self = context;
     if (self->whole->failed) { // nor could it be gathered
@@ -26,7 +27,7 @@ static bool begin(void *context, bool each, clod_bed_counts *all, clod_status *s
                                 "the bed of steps that failed cannot be gathered");
     }
     clod_crew_give(self, CLOD_CREW_SLABS_BEGIN);
-    return clod_crew_slabs_begin(self, each, all, status);
+    return clod_crew_slabs_begin(self, wants, all, status);
 }
 
 // ---- grains
@@ -92,10 +93,22 @@ static bool get_grains(void *context, size_t first, size_t count, clod_bed_slab 
 
 #define RECORD (sizeof(uint64_t) + CLOD_RECORDS_CONTACT)
 
+/** Whether what comes has lines. */
+static bool has_lines(const clod_crew_slabs *self)
+{
+    return self->lines && self->range.what == 1;
+}
+
+static size_t record_of(const clod_crew_slabs *self)
+{
+    return RECORD + (has_lines(self) ? sizeof(clod_bed_line) : 0);
+}
+
 /** Order of what has come: by number of the first grain; those of one come in order. */
 static bool sort_contacts(clod_crew_slabs *self, clod_status *status)
 {
-    self->items = self->in.count / RECORD;
+    const size_t record = record_of(self);
+    self->items = self->in.count / record;
     self->next = 0;
     if (!clod_room_for(&self->item, &self->item_room, 2 * self->items + 1,
                        sizeof *self->item)) {
@@ -104,7 +117,7 @@ static bool sort_contacts(clod_crew_slabs *self, clod_status *status)
     }
     for (size_t k = 0; k < self->items; k++) {
         uint64_t number;
-        memcpy(&number, self->in.data + k * RECORD, sizeof number);
+        memcpy(&number, self->in.data + k * record, sizeof number);
         self->item[k] = (clod_sort_item){number, k};
     }
     clod_sort(self->item, self->item + self->items, self->items);
@@ -134,7 +147,7 @@ static bool more_contacts(clod_crew *self, clod_status *status)
 }
 
 static bool get_contacts(void *context, size_t *count, clod_contact *to,
-                         uint64_t (*partners)[2], clod_status *status)
+                         uint64_t (*partners)[2], clod_bed_line *lines, clod_status *status)
 {
     clod_crew *self = context;
     clod_crew_slabs *slabs = &self->slabs;
@@ -145,8 +158,11 @@ static bool get_contacts(void *context, size_t *count, clod_contact *to,
         if (!good || slabs->next == slabs->items) {
             break;
         }
-        const char *at = slabs->in.data + slabs->item[slabs->next++].index * RECORD;
+        const char *at = slabs->in.data + slabs->item[slabs->next++].index * record_of(slabs);
         clod_records_get_contact(at + sizeof(uint64_t), &to[*count], partners[*count]);
+        if (lines != NULL && has_lines(slabs)) {
+            memcpy(&lines[*count], at + RECORD, sizeof *lines);
+        }
     }
     return good;
 }

@@ -29,9 +29,11 @@ void *__wrap_aligned_alloc(size_t alignment, size_t size)
 
 // ---- files
 
+#define FILES 3
+
 typedef struct files {
-    char *bytes[2]; ///< checkpoint, snapshot; owned
-    size_t size[2];
+    char *bytes[FILES]; ///< checkpoint, picture of grains, picture of contacts; owned
+    size_t size[FILES];
 } files;
 
 typedef struct written_bed {
@@ -58,13 +60,14 @@ static void write_files(scene *s, void **folder, files *to)
     writes = true;
     if (!clod_checkpoint_write(temp_folder(folder), "restart", &s->state, &bed, NULL, 0, NULL,
                                &status) ||
-        !clod_snapshot_write(temp_folder(folder), "run", 0, &s->state, &bed, false, &film,
+        !clod_snapshot_write(temp_folder(folder), "run", 0, &s->state, &bed, true, &film,
                              &status)) {
         fail_msg("%s", status.text);
     }
     writes = false;
     take(folder, "restart_a.h5", &to->bytes[0], &to->size[0]);
     take(folder, "snap_000000.hdf", &to->bytes[1], &to->size[1]);
+    take(folder, "contacts_000000.hdf", &to->bytes[2], &to->size[2]);
 }
 
 static void run_bed(void *context, clod_ranks *ranks)
@@ -95,7 +98,7 @@ static void run_bed(void *context, clod_ranks *ranks)
 
 static void free_files(files *self)
 {
-    for (int f = 0; f < 2; f++) {
+    for (int f = 0; f < FILES; f++) {
         clod_memory_free(self->bytes[f]);
     }
 }
@@ -108,7 +111,7 @@ static void compare(written_bed how)
     for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k += sanitized() ? 2 : 1) {
         ranks_crew_run(RANKS[k], run_bed, &how);
         for (int n = 0; n < 2; n++) {
-            for (int f = 0; f < 2; f++) {
+            for (int f = 0; f < FILES; f++) {
                 assert_int_equal(how.to[n].size[f], one.to[n].size[f]);
                 assert_memory_equal(how.to[n].bytes[f], one.to[n].bytes[f], one.to[n].size[f]);
             }
@@ -182,7 +185,7 @@ static void a_bed_of_several_slabs(void **folder)
     write_large(&one, NULL);
     for (int ranks = 2; ranks <= 7; ranks += 5) {
         ranks_crew_run(ranks, write_large, &several);
-        for (int f = 0; f < 2; f++) {
+        for (int f = 0; f < FILES; f++) {
             assert_int_equal(several.to.size[f], one.to.size[f]);
             assert_memory_equal(several.to.bytes[f], one.to.bytes[f], one.to.size[f]);
         }
