@@ -176,7 +176,8 @@ set_tests_properties(report/test_browser PROPERTIES SKIP_REGULAR_EXPRESSION "OK 
 
 # MPI's ranks look for messages without a rest: beside another test they take three to five times as long.
 set_tests_properties(parallel/test_mpirun parallel/test_mpirun_limits parallel/test_mpirun_library
-  parallel/test_mpirun_groups parallel/test_mpirun_shapes_slow cli/test_disk PROPERTIES PROCESSORS 2)
+  parallel/test_mpirun_groups parallel/test_mpirun_from parallel/test_mpirun_shapes_slow cli/test_disk
+  PROPERTIES PROCESSORS 2)
 if(NOT CLOD_SANITIZE)
   set_tests_properties(faults/test_mpirun_faults PROPERTIES PROCESSORS 2)
 endif()

@@ -7,7 +7,7 @@
  * of its parts in the end, and what it has to tell, goes to rank 0.
  *
  * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/sim/test_group.c,
- * test_run_ranks.c, tests/parallel/test_mpirun_groups.py
+ * test_run_ranks.c, tests/parallel/test_mpirun_groups.py, test_mpirun_from.py
  */
 
 #include "base/bytes.h"

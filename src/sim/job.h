@@ -116,7 +116,8 @@ typedef struct clod_job {
 bool clod_job_resume(clod_job *job, clod_status *status);
 
 /**
- * Begin with the end of another job of this run instead of a state of its own.
+ * Begin with the end of another job of this run instead of a state of its own; grains that were
+ * another run's (memory.origin) still are.
  *
  * @param job   state with the walls of the case; procedure.data of the right size
  * @param name  of the finished job

@@ -133,7 +133,11 @@ bool clod_job_begin_from(clod_job *job, const char *name, clod_status *status)
     char told[1024]; // what is wrong with a checkpoint was told when that job went on from it
     const shelf own = {job->sim->folder, job->sim->identity};
     clod_job_memory of_that_job;
-    return read_checkpoint(job, &own, name, &of_that_job, NULL, told, status);
+    if (!read_checkpoint(job, &own, name, &of_that_job, NULL, told, status)) {
+        return false;
+    }
+    memcpy(job->memory.origin, of_that_job.origin, sizeof job->memory.origin); // its grains
+    return true;
 }
 
 /** Read the finished job of the other run; its tables have the marks of before. */

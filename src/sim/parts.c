@@ -52,9 +52,15 @@ static bool take_over(const part_batch *batch, clod_part *part, clod_job *job,
     return clod_job_store(job, NULL, "", status);
 }
 
+/** Whether a part is not run but copied from another run: a preparation, as all of its batch. */
+static bool is_taken_over(const clod_job_shared *sim, const clod_part *part)
+{
+    return sim->origin != NULL && part->point < 0;
+}
+
 static bool begin(const part_batch *batch, clod_part *part, clod_job *job, clod_status *status)
 {
-    if (part->point < 0 && batch->sim->origin != NULL) {
+    if (is_taken_over(batch->sim, part)) {
         return take_over(batch, part, job, status);
     }
     if (part->from[0] != '\0' && !clod_job_begin_from(job, part->from, status)) {
@@ -156,8 +162,9 @@ static bool run_in_threads(const clod_parts_tester *tester, const clod_job_share
 bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
                     clod_part *part, int count, clod_status *status)
 {
-    // groups know nothing of another run, whose preparations are only copied anyway
-    const int groups = sim->origin != NULL ? 1 : clod_group_count(sim->options->ranks, count);
+    // rank 0 copies, so no other host needs that run; points have its name from their preparation
+    const bool copied = is_taken_over(sim, &part[0]);
+    const int groups = copied ? 1 : clod_group_count(sim->options->ranks, count);
     bool ok = groups > 1 ? clod_group_run(tester, sim, part, count, groups, status)
                          : run_in_threads(tester, sim, part, count, status);
     const bool begun = ok;

@@ -4,7 +4,6 @@ What `clod run` does with seeds and points when there are several ranks (docs/ra
 """
 
 import os
-import re
 import signal
 import socket
 import subprocess
@@ -14,6 +13,8 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import clod
 import mpirun
+import rank_groups
+from rank_groups import run
 
 RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
@@ -25,41 +26,9 @@ PARTS = [f"seed-{seed}-{part}" for seed in (7, 8)
          for part in ("preshear", "reverse", "point-1", "point-2")]
 
 
-def without_clock(report):
-    return re.sub(r"\d+ s of wall-clock time", "", report)
-
-
-def run(ranks, *arguments):
-    return mpirun.run(ranks, clod.BINARY, "run", *arguments)
-
-
 @unittest.skipUnless(os.environ.get("CLOD_MPI") == "1", "clod was built without MPI")
 @clod.quick_only
-class Groups(clod.Case):
-
-    def alone(self, case, *options):
-        out = self.path("one")
-        done = clod.run("run", case, "-o", out, "--threads", "1", *options)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return out, done
-
-    def assert_same(self, numbers, parts, case, *options):
-        one, alone = self.alone(case, *options)
-        for ranks in numbers:
-            out = self.path(f"ranks-{ranks}")
-            done = run(ranks, case, "-o", out, *options)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(without_clock(done.stdout), without_clock(alone.stdout))
-            self.assert_same_end(one, out, parts)
-            self.assert_same_events(one, out)
-
-    def assert_same_events(self, one, other):
-        """The log has the events of every part, whoever had them."""
-        def events(folder):
-            return sorted((event["event"], event.get("part", ""), event.get("step", 0),
-                           event.get("contacts", 0)) for event in clod.log(folder)
-                          if "part" in event)
-        self.assertEqual(events(one), events(other))
+class Groups(rank_groups.Groups):
 
     def test_seeds_and_points(self):
         self.assert_same((2, 3, 5), PARTS, RING, *SHORT, *SEEDS)

@@ -358,6 +358,22 @@ class Tests(clod.Case):
                 self.same_table(f"whole/{table}", f"{name}/{table}")
 
     @clod.quick_only
+    def test_with_and_without(self):
+        """Points that were begun without --from know where their preparation comes from."""
+        self.run_case(SMALL, "old")
+        self.run_case(SMALL, "whole", origin="old")
+        shutil.copytree(self.path("whole"), self.path("again"))
+        points = sorted(name for name in os.listdir(self.path("whole"))
+                        if re.match(r"point-\d+\.csv", name))
+        for point, origin in ((points[0][:-4], None), (points[-1][:-4], "old")):
+            for name in os.listdir(self.path("again")):
+                if re.match(rf"(restart-)?{point}[_.-]", name):
+                    os.remove(self.path(f"again/{name}"))
+            self.run_case(SMALL, "again", origin=origin)
+            self.assert_same_end(self.path("whole"), self.path("again"),
+                                 ["preshear", "reverse", point])
+
+    @clod.quick_only
     def test_more_consolidations(self):
         with open(UNIAXIAL) as file:
             stresses = re.search(r"consolidation_stresses: \[(.*?)\]", file.read())[1].split(", ")

@@ -19,6 +19,7 @@
 /** A run of a case of the tests. */
 typedef struct whole_run {
     const char *file, *overrides[OVERRIDES];
+    const char *from; ///< folder of another run; NULL: none
     char folder[PATH_MAX];
 } whole_run;
 
@@ -33,7 +34,8 @@ static void run_case(const whole_run *self, clod_ranks *ranks)
     }
     snprintf(path, sizeof path, "%s/tests/%s", CLOD_SOURCE_DIR, self->file);
     clod_case *from = clod_case_load(path, self->overrides, overrides, &status);
-    const clod_run_options options = {.directory = self->folder, .threads = 1, .ranks = ranks};
+    const clod_run_options options = {
+        .directory = self->folder, .from = self->from, .threads = 1, .ranks = ranks};
     if (from == NULL || !clod_run(from, &options, &report, &status)) {
         fail_msg("%s", status.text);
     }
@@ -112,8 +114,10 @@ static int check_same_files(const char *one, const char *other)
 static void compare(void **state, whole_run run, int ranks, int files)
 {
     whole_run several = run;
-    snprintf(run.folder, sizeof run.folder, "%s/one", (const char *)*state);
-    snprintf(several.folder, sizeof several.folder, "%s/ranks-%d", (const char *)*state, ranks);
+    const char *kind = run.from != NULL ? "-from" : "";
+    snprintf(run.folder, sizeof run.folder, "%s/one%s", (const char *)*state, kind);
+    snprintf(several.folder, sizeof several.folder, "%s/ranks-%d%s", (const char *)*state,
+             ranks, kind);
     run_case(&run, NULL);
     ranks_run(ranks, run_rank, &several);
     assert_true(check_same_files(run.folder, several.folder) >= files);
@@ -149,18 +153,24 @@ static void a_chute_that_is_empty_between_is_the_same_on_ranks(void **state)
     compare(state, (whole_run){.file = "parallel/chute.yaml"}, many(), 10);
 }
 
-/** Two groups, of one rank and of two. */
+/** Two seeds, on two groups, of one rank and of two; then from these fillings. */
 static void seeds_on_groups_are_the_same(void **state)
 {
-    const whole_run run = {
-        .file = "parallel/wall_friction.yaml",
-        .overrides = {"wall_friction.seeds=2", "wall_friction.shear_min=1 mm",
-                      "wall_friction.shear_max=1.5 mm",
-                      "wall_friction.block_displacement=0.2 mm", "output.contacts=false",
-                      "output.snapshot_interval=0.2 s"}};
+    whole_run run = {.file = "parallel/wall_friction.yaml",
+                     .overrides = {"wall_friction.seeds=2", "wall_friction.shear_min=1 mm",
+                                   "wall_friction.shear_max=1.5 mm",
+                                   "wall_friction.block_displacement=0.2 mm",
+                                   "output.contacts=false", "output.snapshot_interval=0.2 s"}};
+    char first[PATH_MAX];
     atomic_store(&splits, 0);
     compare(state, run, 3, 20);
-    assert_true(atomic_load(&splits) >= 2 * 3); // fillings and shear tests, by each rank
+    assert_int_equal(atomic_load(&splits), 2 * 3); // fillings and shear tests, by each rank
+    snprintf(first, sizeof first, "%s/one", (const char *)*state);
+    run.from = first;
+    run.overrides[6] = "wall_friction.wall_stresses=[1 kPa, 0.8 kPa]";
+    atomic_store(&splits, 0);
+    compare(state, run, 3, 20);
+    assert_int_equal(atomic_load(&splits), 3); // fillings are taken over by rank 0
 }
 
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)

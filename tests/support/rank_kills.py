@@ -1,4 +1,4 @@
-"""One of several ranks is killed at a random moment; the same command goes on to the same end."""
+"""Ranks are killed at random moments; the same command goes on to the same end."""
 
 import os
 import random
@@ -32,14 +32,25 @@ def ranks_of(mpirun):
 @unittest.skipUnless(os.environ.get("CLOD_MPI") == "1", "clod was built without MPI")
 class Kills(clod.Case):
 
+    def command(self, out):
+        return [clod.BINARY, "run", SLIT, "-o", out, *OFTEN]
+
     def start(self, ranks, out):
-        return subprocess.Popen([*MPIRUN, str(ranks), clod.BINARY, "run", SLIT, "-o", out,
-                                 *OFTEN], text=True, stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE)
+        return subprocess.Popen([*MPIRUN, str(ranks), *self.command(out)], text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def strike(self, dice, process):
+        """Kill one of the ranks, if they still run."""
+        alive = ranks_of(process)
+        if alive:
+            os.kill(dice.choice(alive), signal.SIGKILL)
+
+    def assert_killed(self, process, text):
+        """mpirun says so, and has ended the other ranks."""
+        self.assertRegex(text, re.compile("signal 9|Killed"))
 
     def kill(self, dice, out):
-        """Kill one of the ranks when another checkpoint is there, and some time after it; what
-        mpirun says of it is 'Killed', and it ends the others. False: the run was faster."""
+        """Strike when another checkpoint is there, and some time after it. False: the run was faster."""
         ranks = dice.choice((2, 3, 4))
         before = clod.checkpoints(out, "run") if os.path.exists(out) else []
         ages = [os.stat(path).st_mtime_ns for path in before]
@@ -48,13 +59,12 @@ class Kills(clod.Case):
             os.stat(path).st_mtime_ns for path in clod.checkpoints(out, "run")]
         came = clod.wait_until(fresh, process)
         time.sleep(dice.uniform(0.0, 0.12))
-        alive = ranks_of(process)
-        if came and alive:
-            os.kill(dice.choice(alive), signal.SIGKILL)
+        if came:
+            self.strike(dice, process)
         _, text = process.communicate(timeout=1000)
         if process.returncode == 0:
             return False
-        self.assertRegex(text, re.compile("signal 9|Killed"))
+        self.assert_killed(process, text)
         return True
 
     def go_on_after(self, kills):
@@ -68,10 +78,13 @@ class Kills(clod.Case):
             if left == 0:
                 break
             out = self.path(f"run-{run}")
+            before = left
             while left > 0 and self.kill(dice, out):
                 left -= 1
                 self.assertTrue(clod.checkpoints(out, "run"), f"seed {SEED}")
             done = clod.run("run", SLIT, "-o", out, "-t", "1", *OFTEN)
             self.assertEqual(done.returncode, 0, f"seed {SEED}: {done.stderr}")
             self.assert_same_end(one, out, ["run"])
+            resumed = [event for event in clod.log(out) if event["event"] == "resume"]
+            self.assertGreaterEqual(len(resumed), before - left, f"seed {SEED}")
         self.assertEqual(left, 0, f"seed {SEED}: the runs ended before they could be killed")
