@@ -87,6 +87,7 @@ typedef struct dealt_bed {
     size_t piece;
     int64_t
         most[RANKS_MOST]; ///< bytes of each rank in large blocks, before the bed is gathered
+    int64_t made; ///< the same of rank 0 until the bed is made: ranks do not make lists yet
     made_bed *into;
 } dealt_bed;
 
@@ -157,6 +158,7 @@ static inline void run_rank(clod_ranks *ranks, void *context)
     if (!give(how, ranks, &status)) {
         fail_msg("%s", status.text);
     }
+    how->made = most;
     step(how->into, how->from, how->steps, options);
     how->most[0] = most;
     gather(how->into);
@@ -206,24 +208,32 @@ static inline void compare(const char *text, int64_t steps)
 // rows on rank 0 would be beside what every other rank has, too.
 #define ROW_BYTES 210
 
+enum { LIST_RANKS = 8, LIST_PIECE = 2000 }; ///< of a bed in which lists would be seen
+
+/** What ranks have in large blocks at most [bytes]. */
+typedef struct byte_counts {
+    int64_t made;   ///< rank 0, while the bed is made: before ranks move rows and make lists
+    int64_t first;  ///< rank 0, until the end of the first steps
+    int64_t others; ///< the most of another rank
+} byte_counts;
+
 /** What ranks have in large blocks while a bed is made, by rank 0 and the most of another, in bytes. */
-static inline void count_bytes(const char *text, size_t grains, int64_t *first, int64_t *others)
+static inline byte_counts count_bytes(const char *text, size_t grains)
 {
-    enum { RANKS = 8 };
     clod_case *from = case_of(text, NULL);
     made_bed one, several;
     make_alone(&one, from, 2);
     check_apart(&one.state);
     assert_int_equal(one.state.grains.count, grains);
-    dealt_bed how = {.from = from, .steps = 2, .piece = 2000, .into = &several};
-    ranks_run(RANKS, run_rank, &how);
+    dealt_bed how = {.from = from, .steps = 2, .piece = LIST_PIECE, .into = &several};
+    ranks_run(LIST_RANKS, run_rank, &how);
     check_same_bed(&one, &several);
-    *first = how.most[0];
-    *others = 0;
-    for (int r = 1; r < RANKS; r++) {
-        *others = how.most[r] > *others ? how.most[r] : *others;
+    byte_counts found = {.made = how.made, .first = how.most[0]};
+    for (int r = 1; r < LIST_RANKS; r++) {
+        found.others = how.most[r] > found.others ? how.most[r] : found.others;
     }
     end(&several);
     end(&one);
     clod_case_destroy(&from);
+    return found;
 }
