@@ -172,11 +172,22 @@ foreach(source IN LISTS CLOD_TEST_SCRIPTS)
     TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 
+# The program with messages cut into small pieces, as those beyond 1 GiB are.
+if(MPI_FOUND)
+  add_executable(clod_pieces ${CLOD_APP} src/parallel/ranks_mpi.c)
+  target_include_directories(clod_pieces PRIVATE ${CLOD_GENERATED})
+  target_link_libraries(clod_pieces PRIVATE clod_verify clod_report ${CLOD_CALIBRATE_TARGET})
+  target_compile_definitions(clod_pieces PRIVATE CLOD_MPI_PIECE=1021)
+  add_dependencies(threaded clod_pieces)
+  set_property(TEST parallel/test_mpirun_pieces APPEND PROPERTY ENVIRONMENT
+    CLOD_PIECES=$<TARGET_FILE:clod_pieces>)
+endif()
+
 set_tests_properties(report/test_browser PROPERTIES SKIP_REGULAR_EXPRESSION "OK \\(skipped=")
 
 # MPI's ranks look for messages without a rest: beside another test they take three to five times as long.
 set_tests_properties(parallel/test_mpirun parallel/test_mpirun_limits parallel/test_mpirun_library
-  parallel/test_mpirun_groups parallel/test_mpirun_from parallel/test_mpirun_shapes_slow cli/test_disk
+  parallel/test_mpirun_groups parallel/test_mpirun_from parallel/test_mpirun_pieces parallel/test_mpirun_shapes_slow cli/test_disk
   PROPERTIES PROCESSORS 2)
 if(NOT CLOD_SANITIZE)
   set_tests_properties(faults/test_mpirun_faults PROPERTIES PROCESSORS 2)

@@ -52,7 +52,10 @@ typedef struct clod_check_ranks {
     double steps_0, steps;           ///< bytes in steps, with a rebuild
     double all, machine;             ///< bytes of all ranks together, and that this machine has
     double step;                     ///< s on the clock
-    double clock_likely, clock_most; ///< s on the clock
+    double clock_likely, clock_most; ///< s on the clock, of the steps
+    double
+        making; ///< s in which rank 0 makes the bed of a free run, in one process; 0: not known
+    double writing; ///< s of each of its checkpoints; 0: not known
 } clod_check_ranks;
 
 /** Numbers in SI; 0 = not known or not meant for this kind of case. */

@@ -82,8 +82,11 @@ static bool check_alone(const char *cause, clod_status *status)
 
 #include <mpi.h>
 
-/** Bytes of one piece of a message: MPI counts in int. */
-#define PIECE ((size_t)1 << 30)
+/** Bytes of one piece of a message: MPI counts in int. A test sets fewer (clod_pieces). */
+#ifndef CLOD_MPI_PIECE
+#define CLOD_MPI_PIECE ((size_t)1 << 30)
+#endif
+#define PIECE ((size_t)CLOD_MPI_PIECE)
 
 /** Tags of messages that are exchanged once, again and again, and of words. */
 enum { ONCE, KEPT, POSTED };

@@ -1,6 +1,7 @@
 #include "sim/check_ranks.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #define SKIN 0.3 ///< wide skin, largest radii: bench/scaling/constants.json, ghost_layers
 
@@ -27,6 +28,16 @@
 #define WHOLE_BYTES_0 560.0 ///< of the whole bed, dealt by rank 0: 558 and 579
 #define WHOLE_BYTES 1500.0  ///< another rank: 656 with 2 ranks and 400 with 4
 #define GATHERED_BYTES 1250.0 ///< of the whole bed, gathered on rank 0: 1 229
+
+// docs/scaling.md, Making: us a grain, with packing; at random positions by solid fraction
+#define MAKE_LAYERS 1.1e-6
+#define LAYERS_FROM 0.33
+static const double MAKE_RANDOM[][2] = {{0.06, 2.1e-6}, {0.15, 2.5e-6}, {0.30, 11.6e-6}};
+
+// docs/scaling.md, What breaks first: bench_step --checkpoint, and messages of numbers
+#define WRITTEN 0.3e9      ///< B/s through rank 0
+#define SLAB 16384.0       ///< grains that are collected at a time
+#define SLAB_MESSAGES 10.0 ///< of each rank for it
 
 double clod_check_ranks_layers(double radius_mean, double radius_max, double volume,
                                double fraction)
@@ -114,6 +125,27 @@ double clod_check_ranks_step(const clod_check_ranks_bed *bed,
     const double merge = clod_check_ranks_merge(bed->ranks, machine->node);
     return share.own * machine->row + share.ghosts * ghost + calls(&share) +
            fmax(merge, flight(bed, &share, machine->node));
+}
+
+double clod_check_ranks_making(const clod_check_ranks_start *start)
+{
+    if (start->solid > LAYERS_FROM) {
+        return start->made * MAKE_LAYERS;
+    }
+    const size_t last = sizeof MAKE_RANDOM / sizeof *MAKE_RANDOM - 1;
+    size_t k = 1;
+    while (k < last && start->solid > MAKE_RANDOM[k][0]) {
+        k++;
+    }
+    const double *a = MAKE_RANDOM[k - 1], *b = MAKE_RANDOM[k]; // beyond the ends straight on
+    const double each = a[1] + (b[1] - a[1]) * (start->solid - a[0]) / (b[0] - a[0]);
+    return start->made * each;
+}
+
+double clod_check_ranks_writing(const clod_check_ranks_bed *bed, double bytes)
+{
+    const double slabs = ceil(bed->grains / SLAB);
+    return bytes / WRITTEN + slabs * SLAB_MESSAGES * (bed->ranks - 1) * MESSAGE;
 }
 
 clod_check_ranks_memory clod_check_ranks_memory_of(const clod_check_ranks_bed *bed,

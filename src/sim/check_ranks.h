@@ -31,6 +31,8 @@ typedef struct clod_check_ranks_machine {
 
 /** What decides how the bed begins, and whether it is gathered. */
 typedef struct clod_check_ranks_start {
+    double made;   ///< grains that rank 0 makes
+    double solid;  ///< fraction of their regions that is solid
     bool whole;    ///< rank 0 has the whole bed at the start
     bool gathered; ///< and while it steps
 } clod_check_ranks_start;
@@ -59,6 +61,12 @@ double clod_check_ranks_merge(int ranks, int node);
 /** s of a step of the rank that has most; without imbalance and rebuilds. */
 double clod_check_ranks_step(const clod_check_ranks_bed *bed,
                              const clod_check_ranks_machine *machine);
+
+/** s in which rank 0 makes its grains: those of one process. */
+double clod_check_ranks_making(const clod_check_ranks_start *start);
+
+/** s of a checkpoint of so many bytes: rank 0 writes it, and collects it from the others. */
+double clod_check_ranks_writing(const clod_check_ranks_bed *bed, double bytes);
 
 clod_check_ranks_memory clod_check_ranks_memory_of(const clod_check_ranks_bed *bed,
                                                    const clod_check_ranks_start *start);

@@ -23,13 +23,30 @@ static double two_digits(double x)
     return round(x / unit) * unit;
 }
 
-/** How the bed begins. */
-static clod_check_ranks_start start_of(const clod_case *from)
+static double region_volume(const clod_case_region *region)
+{
+    if (region->kind == CLOD_REGION_BOX) {
+        return (region->max[0] - region->min[0]) * (region->max[1] - region->min[1]) *
+               (region->max[2] - region->min[2]);
+    }
+    return M_PI * region->height *
+           (region->outer_radius * region->outer_radius -
+            region->inner_radius * region->inner_radius);
+}
+
+/** How the bed begins; groups are taken to be as dense as all are together. */
+static clod_check_ranks_start start_of(const clod_case *from, const clod_check_report *report)
 {
     const bool tester = clod_case_tester(from) != NULL;
     clod_check_ranks_start start = {.whole = tester, .gathered = tester};
+    double room = 0.0;
     for (size_t g = 0; g < from->grains_count; g++) {
         start.whole = start.whole || from->grains[g].file != NULL;
+        room += from->grains[g].comes ? 0.0 : region_volume(&from->grains[g].region);
+    }
+    if (!start.whole && room > 0.0) {
+        start.made = (double)report->grains;
+        start.solid = report->solid_volume / room;
     }
     return start;
 }
@@ -112,7 +129,12 @@ void clod_check_ranks_look(const clod_check_subject *subject, clod_check_report 
     const clod_check_ranks_share share = clod_check_ranks_share_of(&bed);
     told->own = share.own;
     told->ghosts = two_digits(share.ghosts);
-    const clod_check_ranks_start start = start_of(subject->from);
+    const clod_check_ranks_start start = start_of(subject->from, report);
+    if (start.made > 0.0) {
+        const double bytes = report->disk_checkpoints / 3.0; // two are kept, one is written
+        told->making = two_digits(clod_check_ranks_making(&start));
+        told->writing = two_digits(clod_check_ranks_writing(&bed, bytes));
+    }
     find_memory(&bed, &start, report);
 }
 
@@ -161,8 +183,14 @@ void clod_check_ranks_write(clod_check_page *to, const clod_check_report *r)
                         clod_check_clock_words(told->clock_likely, a),
                         clod_check_clock_words(told->clock_most, b));
     } else {
-        clod_check_line(to, "", "wall-clock %s at most",
+        clod_check_line(to, "", "wall-clock of the steps %s at most",
                         clod_check_clock_words(told->clock_most, a));
+    }
+    if (told->making > 0.0) {
+        clod_check_line(
+            to, "",
+            "%.2g s before them while rank 0 makes the bed, and %.2g s for each checkpoint",
+            told->making, told->writing);
     }
     clod_check_line(to, "", "memory of rank 0: %s while the bed is made and dealt, %s in steps",
                     clod_check_byte_words(told->begin_0, a),
@@ -188,6 +216,8 @@ static const clod_check_real RANKS_REALS[] = {
     CLOD_CHECK_REAL("ranks_step_s", of_ranks.step),
     CLOD_CHECK_REAL("ranks_wall_clock_likely_s", of_ranks.clock_likely),
     CLOD_CHECK_REAL("ranks_wall_clock_most_s", of_ranks.clock_most),
+    CLOD_CHECK_REAL("ranks_making_s", of_ranks.making),
+    CLOD_CHECK_REAL("ranks_checkpoint_s", of_ranks.writing),
     CLOD_CHECK_REAL("ranks_memory_start_rank_0_bytes", of_ranks.begin_0),
     CLOD_CHECK_REAL("ranks_memory_start_other_bytes", of_ranks.begin),
     CLOD_CHECK_REAL("ranks_memory_steps_rank_0_bytes", of_ranks.steps_0),

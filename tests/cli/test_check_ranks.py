@@ -41,6 +41,11 @@ class CheckRanks(clod.Case):
         least = (25 + 0.7 * 75) * row + 5.16e-6 + 3e-6
         self.assertGreater(told["ranks_step_s"], 0.95 * least)
         self.assertLess(told["ranks_step_s"], 1.05 * least + 1e-6)
+        # 100 grains in layers take 0.1 ms, or a little more at random positions
+        self.assertGreater(told["ranks_making_s"], 1e-4)
+        self.assertLess(told["ranks_making_s"], 2e-3)
+        self.assertGreater(told["ranks_checkpoint_s"], 0.0)
+        self.assertIn(" s for each checkpoint", self.check(BOX, "--ranks", "4"))
         # beside the program of 35 MB little
         self.assertEqual(told["ranks_memory_all_bytes"], 140e6)
 

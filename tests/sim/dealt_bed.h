@@ -189,7 +189,7 @@ static inline void check_apart(const clod_state *state)
 
 static inline void compare(const char *text, int64_t steps)
 {
-    static const int RANKS[] = {2, 3, 4, 7};
+    static const int RANKS[] = {2, 3, 4, 7, 16};
     clod_case *from = case_of(text, NULL);
     made_bed one, several;
     make_alone(&one, from, steps);

@@ -121,6 +121,27 @@ static void memory_is_by_the_table(void **unused)
     check_relative(memory.steps, steps, 1e-9);
 }
 
+/** The table of docs/scaling.md, Making, and straight lines between and beyond its rows. */
+static void making_is_by_the_table(void **unused)
+{
+    (void)unused;
+    const double found[][2] = {{0.34, 1.1},  {0.60, 1.1},  {0.06, 2.1},  {0.15, 2.5},
+                               {0.30, 11.6}, {0.105, 2.3}, {0.225, 7.05}};
+    for (size_t k = 0; k < sizeof found / sizeof *found; k++) {
+        const clod_check_ranks_start start = {.made = 1e6, .solid = found[k][0]};
+        check_relative(clod_check_ranks_making(&start), found[k][1], 1e-12);
+    }
+}
+
+/** 1e8 grains on 101 ranks: 42 GB at 0.3 GB/s, and 6104 slabs of ten numbers from 100 ranks. */
+static void a_checkpoint_goes_through_rank_0(void **unused)
+{
+    (void)unused;
+    const clod_check_ranks_bed bed = {1e8, 101, 1.29};
+    check_relative(clod_check_ranks_writing(&bed, 42e9), 140.0 + 6104.0 * 1000.0 * 0.66e-6,
+                   1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -132,6 +153,8 @@ int main(void)
         cmocka_unit_test(a_step_is_the_sum_of_its_parts),
         cmocka_unit_test(between_machines_all_comes_through_one_adapter),
         cmocka_unit_test(memory_is_by_the_table),
+        cmocka_unit_test(making_is_by_the_table),
+        cmocka_unit_test(a_checkpoint_goes_through_rank_0),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -73,7 +73,7 @@ static void run_fast_rank(clod_ranks *ranks, void *context)
 static void a_bed_that_is_cut_anew_at_every_step_has_the_same_bits(void **state)
 {
     (void)state;
-    static const int RANKS[] = {2, 3, 4, 7};
+    static const int RANKS[] = {2, 3, 4, 7, 16};
     scene one;
     run_fast(&one, (clod_step_options){.threads = 1});
     assert_true(one.step.rebuilds >= SOME);

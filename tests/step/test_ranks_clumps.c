@@ -137,7 +137,7 @@ static void check_full(const told looks[LOOKS], bool leaves)
 
 static void compare(clumped_bed how)
 {
-    static const int RANKS[] = {2, 3, 4, 7};
+    static const int RANKS[] = {2, 3, 4, 7, 16};
     static told one[LOOKS], several[LOOKS];
     memset(one, 0, sizeof one);
     how.to = one;
