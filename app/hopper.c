@@ -13,6 +13,7 @@
 #include "arguments.h"
 #include "clod/hopper.h"
 #include "clod/text_file.h"
+#include "report/report.h"
 
 enum { KEY_JSON = 256, KEY_SET };
 
@@ -25,7 +26,8 @@ typedef struct request {
 
 static const struct argp_option OPTIONS[] = {
     {"json", KEY_JSON, NULL, 0, "print everything as JSON in place of the table", 0},
-    {"output", 'o', "NAME", 0, "also write NAME.json and the design chart NAME.svg", 0},
+    {"output", 'o', "NAME", 0,
+     "also write NAME.json, the design chart NAME.svg and the page NAME.html", 0},
     {"set", KEY_SET, "KEY=VALUE", 0, "another value for a key, e.g. cone.outlet=200mm", 0},
     {0},
 };
@@ -57,14 +59,23 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     }
 }
 
-/** Write one text into NAME with an ending, say so, and free the text. */
-static bool put(const request *self, const char *ending, char *text, clod_status *status)
+/** Owned name of a file: NAME with an ending. */
+static char *name_of(const request *self, const char *ending)
 {
     const size_t size = strlen(self->output) + strlen(ending) + 1;
     char *path = malloc(size);
+    if (path != NULL) {
+        snprintf(path, size, "%s%s", self->output, ending);
+    }
+    return path;
+}
+
+/** Write one text into NAME with an ending, say so, and free the text. */
+static bool put(const request *self, const char *ending, char *text, clod_status *status)
+{
+    char *path = name_of(self, ending);
     bool done = path != NULL && text != NULL;
     if (done) {
-        snprintf(path, size, "%s%s", self->output, ending);
         done = clod_text_file_write(path, self->path, text, status);
         if (done) {
             fprintf(self->json ? stderr : stdout, "wrote %s\n", path);
@@ -73,6 +84,23 @@ static bool put(const request *self, const char *ending, char *text, clod_status
         clod_status_fail(status, CLOD_FAILED, "No memory for the result.");
     }
     clod_hopper_free(text);
+    free(path);
+    return done;
+}
+
+/** Write the page, say so, and say on standard error what it lacks, if anything. */
+static bool put_page(const request *self, const clod_hopper *hopper, clod_status *status)
+{
+    char *path = name_of(self, ".html");
+    const bool done = path != NULL
+                          ? clod_report_hopper(hopper, path, status)
+                          : clod_status_fail(status, CLOD_FAILED, "No memory for the page.");
+    if (done) {
+        fprintf(self->json ? stderr : stdout, "wrote %s\n", path);
+        if (clod_report_lacks() != NULL) {
+            fprintf(stderr, "clod hopper: %s.\n", clod_report_lacks());
+        }
+    }
     free(path);
     return done;
 }
@@ -103,7 +131,8 @@ static bool run(const request *self, clod_status *status)
     const bool done =
         print(self, hopper, status) &&
         (self->output == NULL || (put(self, ".json", clod_hopper_json(hopper), status) &&
-                                  put(self, ".svg", clod_hopper_chart(hopper), status)));
+                                  put(self, ".svg", clod_hopper_chart(hopper), status) &&
+                                  put_page(self, hopper, status)));
     clod_hopper_destroy(&hopper);
     return done;
 }

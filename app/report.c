@@ -92,7 +92,7 @@ int clod_app_report(int argc, char **argv)
             "without a network, with warnings, results, curves, tables and a 3-D view of the last "
             "snapshot; and each figure beside it as SVG. RUN may be the folder of a calibration "
             "too: parameters, targets, surrogates. -o names another file for the page of one "
-            "run. A hopper's design has no page: clod hopper -o writes its chart.\vdocs/howto/report.md has examples.",
+            "run. clod hopper -o writes the page of a hopper's design.\vdocs/howto/report.md has examples.",
     };
     request self = {0};
     int result = CLOD_FAILED;

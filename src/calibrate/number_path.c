@@ -12,6 +12,8 @@
 #include "config/suggest.h"
 #include "sim/free_summary.h"
 
+#define MOST_NAMES 64 ///< that are told in a message
+
 #define ROW(suffix, si, shown, factor)                                                         \
     {                                                                                          \
         suffix, si, {shown, factor, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, NULL, NULL \
@@ -78,34 +80,126 @@ static const clod_number *unit_of(const char *path)
     return found;
 }
 
+/** The step of a path or a pattern that begins here, and where the next one does. */
+static size_t step_of(const char **at)
+{
+    const size_t length = strcspn(*at, ".");
+    *at += length + ((*at)[length] == '.' ? 1 : 0);
+    return length;
+}
+
+/** Whether a step of a path is one that a pattern allows. */
+static bool step_fits(const char *step, size_t length, const char *pattern, size_t size)
+{
+    if (size == 1 && pattern[0] == '*') {
+        return length > 0 && strspn(step, "0123456789") >= length;
+    }
+    return length == size && strncmp(step, pattern, size) == 0;
+}
+
+/**
+ * How far a path goes along a pattern.
+ *
+ * @param steps  [out] steps that fit
+ * @param next   [out] the step of the pattern behind them, with what follows
+ * @return       whether all of the path fits all of the pattern
+ */
+static bool follow(const char *path, const char *pattern, size_t *steps, const char **next)
+{
+    *next = pattern;
+    for (*steps = 0; *path != '\0' && *pattern != '\0'; (*steps)++) {
+        const char *step = path;
+        *next = pattern;
+        if (strcmp(pattern, "**") == 0) {
+            return true;
+        }
+        const size_t length = step_of(&path);
+        const size_t size = step_of(&pattern);
+        if (!step_fits(step, length, *next, size)) {
+            return false;
+        }
+        *next = pattern;
+    }
+    return *path == '\0' && *pattern == '\0';
+}
+
+/** The most steps of a path that any pattern of the case's summary has; `whole`: all of them. */
+static size_t furthest(const clod_case *from, const char *path, bool *whole)
+{
+    clod_free_path pattern;
+    size_t most = 0;
+    *whole = false;
+    for (size_t k = 0; !*whole && clod_free_summary_path(from, k, &pattern); k++) {
+        const char *next;
+        size_t steps;
+        *whole = follow(path, pattern.text, &steps, &next);
+        most = steps > most ? steps : most;
+    }
+    return most;
+}
+
 const clod_number *clod_number_path_find(const clod_case *from, const char *path)
 {
-    const char *names[CLOD_FREE_SUMMARY_MOST];
-    const size_t count = clod_free_summary_names(from, names);
-    const size_t length = strcspn(path, ".");
-    for (size_t k = 0; k < count; k++) {
-        if (strlen(names[k]) == length && strncmp(names[k], path, length) == 0) {
-            return unit_of(path);
+    bool whole;
+    furthest(from, path, &whole);
+    return whole ? unit_of(path) : NULL;
+}
+
+/** Names that may follow the first `steps` of a path, each once. */
+static size_t names_behind(const clod_case *from, const char *path, size_t steps,
+                           char names[MOST_NAMES][CLOD_PLAN_NAME])
+{
+    clod_free_path pattern;
+    size_t count = 0;
+    for (size_t k = 0; count < MOST_NAMES && clod_free_summary_path(from, k, &pattern); k++) {
+        const char *next;
+        size_t fit;
+        follow(path, pattern.text, &fit, &next);
+        if (fit != steps || *next == '\0') {
+            continue;
         }
+        snprintf(names[count], CLOD_PLAN_NAME, "%.*s", (int)strcspn(next, "."), next);
+        if (names[count][0] == '*') {
+            snprintf(names[count], CLOD_PLAN_NAME, "a number from 0 on");
+        }
+        bool new = true;
+        for (size_t n = 0; n < count; n++) {
+            new = new &&strcmp(names[n], names[count]) != 0;
+        }
+        count += new ? 1 : 0;
     }
-    return NULL;
+    return count;
 }
 
 const char *clod_number_path_hint(const clod_case *from, const char *path, char *buffer,
                                   size_t size)
 {
-    const char *names[CLOD_FREE_SUMMARY_MOST];
-    const size_t count = clod_free_summary_names(from, names);
-    char word[CLOD_PLAN_NAME];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(path, "."), path);
+    char names[MOST_NAMES][CLOD_PLAN_NAME], word[CLOD_PLAN_NAME];
+    bool whole;
+    const size_t steps = furthest(from, path, &whole);
+    const size_t count = names_behind(from, path, steps, names);
+    const char *wrong = path;
+    for (size_t k = 0; k < steps; k++) {
+        step_of(&wrong);
+    }
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(wrong, "."), wrong);
     clod_suggest near = clod_suggest_start(word);
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < count && word[0] != '\0'; k++) {
         clod_suggest_offer(&near, names[k]);
     }
     clod_suggest_text(&near, buffer, size);
     size_t used = strlen(buffer);
-    used += (size_t)snprintf(buffer + used, size - used,
-                             "; summary.json of this case begins its paths with");
+    const int before = (int)(wrong - path) - (steps > 0 && wrong[0] != '\0' ? 1 : 0);
+    if (steps == 0) {
+        used += (size_t)snprintf(buffer + used, size - used,
+                                 "; summary.json of this case begins its paths with");
+    } else if (count == 0) {
+        used +=
+            (size_t)snprintf(buffer + used, size - used, "; %.*s is a number", before, path);
+    } else {
+        used +=
+            (size_t)snprintf(buffer + used, size - used, "; behind %.*s it has", before, path);
+    }
     for (size_t k = 0; k < count && used < size; k++) {
         used +=
             (size_t)snprintf(buffer + used, size - used, "%s %s", k == 0 ? "" : ",", names[k]);

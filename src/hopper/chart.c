@@ -10,30 +10,33 @@
 #include "base/given.h"
 #include "base/text.h"
 #include "hopper/fields.h"
+#include "hopper/lines.h"
 #include "hopper/plot.h"
 
 #define DEGREES 57.295779513082323
-#define CURVE_POINTS 60
 #define BLACK "#222222"
 
 // Okabe and Ito's colours, which the colour-blind tell apart
 static const char *const COLOURS[CLOD_HOPPER_SHAPES] = {
     [CLOD_RADIAL_WEDGE] = "#D55E00", [CLOD_RADIAL_CONE] = "#0072B2"};
 
-/** Ends of the axes of the flow function, kPa: both critical states and the points near them; all
- *  points where there is no critical state. */
+/** Ends of the axes of the flow function, kPa. */
 static void reach(const clod_hopper *self, clod_plot *panel)
 {
-    const clod_curve *curve = &self->solid.strength;
-    double critical = 0.0;
-    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
-        critical = fmax(critical, self->shape[s].number[CLOD_HOPPER_SIGMA_1].value);
-    }
-    const double last = curve->points[curve->count - 1].x;
-    const double near = fmax(3.0 * critical, curve->points[1].x);
-    panel->most_x = clod_plot_round_up(1.08e-3 * (critical > 0.0 ? near : last));
-    panel->most_y = 1.5e-3 * clod_curve_at(curve, 1e3 * panel->most_x);
+    panel->most_x = clod_plot_round_up(1.08e-3 * clod_lines_reach(self));
+    panel->most_y = 1.5e-3 * clod_curve_at(&self->solid.strength, 1e3 * panel->most_x);
     panel->most_y = clod_plot_round_up(fmax(panel->most_y, 1e-6));
+}
+
+/** A line in SI units, times a scale on both axes. */
+static void put_line(const clod_plot *panel, const clod_line *line, double scale,
+                     const clod_plot_pen *pen)
+{
+    clod_plot_point points[CLOD_LINES_MOST];
+    for (size_t k = 0; k < line->count; k++) {
+        points[k] = (clod_plot_point){scale * line->x[k], scale * line->y[k]};
+    }
+    clod_plot_line(panel, points, line->count, pen);
 }
 
 /** A pair of numbers with their intervals. */
@@ -73,13 +76,10 @@ static void put_flow_function(const clod_hopper *self, clod_plot *panel)
 {
     const clod_curve *curve = &self->solid.strength;
     const clod_plot_pen pen = {BLACK, 2.0, false};
-    clod_plot_point line[CURVE_POINTS + 1];
-    for (int k = 0; k <= CURVE_POINTS; k++) {
-        line[k].x = panel->most_x * k / CURVE_POINTS;
-        line[k].y = 1e-3 * clod_curve_at(curve, 1e3 * line[k].x);
-    }
+    clod_line line;
+    clod_lines_curve(curve, 1e3 * panel->most_x, &line);
     clod_plot_axes(panel, "sigma_1, kPa", "f_c, kPa");
-    clod_plot_line(panel, line, CURVE_POINTS + 1, &pen);
+    put_line(panel, &line, 1e-3, &pen);
     clod_plot_legend(panel, 0, &pen, "flow function");
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *point = &curve->points[i];
@@ -103,17 +103,9 @@ static void put_limits(const clod_hopper *self, clod_plot *panel)
     snprintf(text, sizeof text, "limit of a cone, phi_e = %.1f deg", DEGREES * phi_e);
     clod_plot_axes(panel, "half angle, deg", "wall friction angle, deg");
     clod_plot_legend(panel, 0, &pen, text);
-    clod_plot_point line[CURVE_POINTS + 1];
-    size_t count = 0;
-    for (int k = 0; k <= CURVE_POINTS; k++) {
-        const double phi_w = phi_e * k / CURVE_POINTS;
-        const clod_radial field = {CLOD_RADIAL_CONE, phi_e, phi_w, CLOD_RADIAL_TOLERANCE};
-        double theta;
-        if (clod_radial_limit(&field, &theta)) {
-            line[count++] = (clod_plot_point){DEGREES * theta, DEGREES * phi_w};
-        }
-    }
-    clod_plot_line(panel, line, count, &pen);
+    clod_line line;
+    clod_lines_limit(self, &line);
+    put_line(panel, &line, DEGREES, &pen);
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         const clod_hopper_value *angle = &self->shape[s].number[CLOD_HOPPER_HALF_ANGLE];
         const clod_hopper_design *at = &self->shape[s].design;

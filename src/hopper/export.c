@@ -9,6 +9,7 @@
 
 #include "base/given.h"
 #include "base/json.h"
+#include "clod/version.h"
 #include "hopper/fields.h"
 
 #define DEGREES 57.295779513082323
@@ -23,6 +24,23 @@ static json_t *interval(const clod_hopper_value *from, double scale)
 {
     return json_pack("{s:o, s:o, s:o}", "value", number(scale * from->value), "low",
                      number(scale * from->low), "high", number(scale * from->high));
+}
+
+/** Outlets of the samples by their shares, and where their spread comes from. */
+static void put_spread(json_t *self, const clod_hopper_found *found)
+{
+    json_t *quantiles = json_array();
+    for (int q = 0; q < CLOD_HOPPER_QUANTILES; q++) {
+        json_array_append_new(quantiles, number(found->quantile[q]));
+    }
+    json_object_set_new(self, "outlet_percentiles_m", quantiles);
+    json_t *causes = json_object();
+    for (int k = 0; k < CLOD_SOLID_CURVES; k++) {
+        if (k != CLOD_SOLID_PHI_T) { // which only the rathole needs
+            json_object_set_new(causes, CLOD_HOPPER_CURVE_KEYS[k], number(found->cause[k]));
+        }
+    }
+    json_object_set_new(self, "outlet_variance_shares", causes);
 }
 
 static json_t *shape_of(const clod_hopper_found *found)
@@ -48,6 +66,7 @@ static json_t *shape_of(const clod_hopper_found *found)
         json_object_set_new(shares, CLOD_HOPPER_OUTCOME_NAMES[k], number(found->share[k]));
     }
     json_object_set_new(self, "sample_shares", shares);
+    put_spread(self, found);
     return self;
 }
 
@@ -90,17 +109,22 @@ char *clod_hopper_json(const clod_hopper *self)
 {
     CLOD_NEED(self);
     json_t *warnings = json_array();
+    json_t *overrides = json_array();
     for (size_t i = 0; i < self->warnings.count; i++) {
         json_array_append_new(warnings, json_string(self->warnings.text[i]));
     }
+    for (size_t i = 0; i < self->override_count; i++) {
+        json_array_append_new(overrides, json_string(self->overrides[i]));
+    }
     const clod_hopper_interval *interval_of = &self->from.interval;
     json_t *all = json_pack(
-        "{s:s?, s:s, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I}, s:o}", "title",
-        self->from.title, "case", self->path, "cone", shape_of(&self->shape[CLOD_RADIAL_CONE]),
-        "wedge", shape_of(&self->shape[CLOD_RADIAL_WEDGE]), "rathole", rathole_of(self),
-        "measured", measured(self), "arch_thickness", CLOD_HOPPER_ARCH_NAMES[self->from.arch],
-        "interval", "level", interval_of->level, "samples", (json_int_t)interval_of->samples,
-        "seed", (json_int_t)interval_of->seed, "warnings", warnings);
+        "{s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I}, s:o}", "title",
+        self->from.title, "version", clod_version_text(), "case", self->path, "overrides",
+        overrides, "cone", shape_of(&self->shape[CLOD_RADIAL_CONE]), "wedge",
+        shape_of(&self->shape[CLOD_RADIAL_WEDGE]), "rathole", rathole_of(self), "measured",
+        measured(self), "arch_thickness", CLOD_HOPPER_ARCH_NAMES[self->from.arch], "interval",
+        "level", interval_of->level, "samples", (json_int_t)interval_of->samples, "seed",
+        (json_int_t)interval_of->seed, "warnings", warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

@@ -28,5 +28,12 @@ const char *const CLOD_HOPPER_OUTCOME_NAMES[CLOD_HOPPER_OUTCOMES] = {
     [CLOD_HOPPER_ARCHES] = "arches",       [CLOD_HOPPER_FUNNEL] = "funnel_flow",
     [CLOD_HOPPER_UNSETTLED] = "unsettled", [CLOD_HOPPER_UNPROVEN] = "mass_flow_unknown"};
 
+const char *const CLOD_HOPPER_CURVE_KEYS[CLOD_SOLID_CURVES] = {[CLOD_SOLID_STRENGTH] =
+                                                                   "flow_function",
+                                                               [CLOD_SOLID_PHI_E] = "phi_e",
+                                                               [CLOD_SOLID_PHI_T] = "phi_t",
+                                                               [CLOD_SOLID_RHO] = "rho_b",
+                                                               [CLOD_SOLID_WALL] = "wall"};
+
 const char *const CLOD_HOPPER_ARCH_NAMES[] = {
     [CLOD_HOPPER_ARCH_ARNOLD] = "arnold", [CLOD_HOPPER_ARCH_RHODES] = "rhodes"};

@@ -25,5 +25,8 @@ extern const char *const CLOD_HOPPER_SHAPE_NAMES[CLOD_HOPPER_SHAPES];
 /** What an outcome is called in JSON. */
 extern const char *const CLOD_HOPPER_OUTCOME_NAMES[CLOD_HOPPER_OUTCOMES];
 
+/** Measured curves in JSON, by their place in clod_solid. */
+extern const char *const CLOD_HOPPER_CURVE_KEYS[CLOD_SOLID_CURVES];
+
 /** "arnold", "rhodes": by clod_hopper_arch. */
 extern const char *const CLOD_HOPPER_ARCH_NAMES[];

@@ -60,6 +60,19 @@ static bool overrides_given(const char *const *overrides, size_t count, clod_sta
     return given;
 }
 
+/** Copy what was said in place of the file. */
+static bool keep_overrides(clod_hopper *self, const char *const *overrides, size_t count)
+{
+    self->overrides = clod_memory_alloc(count, sizeof *self->overrides);
+    bool good = self->overrides != NULL || count == 0;
+    for (size_t k = 0; good && k < count; k++) {
+        self->overrides[k] = clod_memory_text(overrides[k]);
+        good = self->overrides[k] != NULL;
+        self->override_count += good ? 1 : 0;
+    }
+    return good;
+}
+
 clod_hopper *clod_hopper_create(const char *path, const char *const *overrides,
                                 size_t override_count, clod_status *status)
 {
@@ -67,7 +80,8 @@ clod_hopper *clod_hopper_create(const char *path, const char *const *overrides,
         return NULL;
     }
     clod_hopper *self = clod_memory_alloc(1, sizeof *self);
-    if (self == NULL || (self->path = clod_memory_text(path)) == NULL) {
+    if (self == NULL || (self->path = clod_memory_text(path)) == NULL ||
+        !keep_overrides(self, overrides, override_count)) {
         clod_hopper_destroy(&self);
         clod_status_fail(status, CLOD_FAILED, "No memory for the design.");
         return NULL;
@@ -90,6 +104,10 @@ void clod_hopper_destroy(clod_hopper **self)
     }
     clod_hopper_case_fini(&(*self)->from);
     clod_tables_fini(&(*self)->solid);
+    for (size_t k = 0; k < (*self)->override_count; k++) {
+        clod_memory_free((*self)->overrides[k]);
+    }
+    clod_memory_free((*self)->overrides);
     clod_memory_free((*self)->path);
     clod_memory_free(*self);
     *self = NULL;

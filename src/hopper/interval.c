@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "hopper/samples.h"
 #include "parallel/threads.h"
 
 #define JOBS 64
@@ -19,6 +20,7 @@ typedef struct sample {
     clod_hopper_outcome outcome[CLOD_HOPPER_SHAPES];
     double number[CLOD_HOPPER_SHAPES][CLOD_HOPPER_NUMBERS];
     double hole[CLOD_HOPPER_HOLES];
+    double drawn[CLOD_HOPPER_SHAPES][CLOD_SOLID_CURVES]; ///< at the critical state as measured
 } sample;
 
 typedef struct task {
@@ -129,6 +131,9 @@ static void design_sample(const task *self, const clod_solid *solid, sample *to)
             *margin = 0.0; // what does not slide does not flow
         }
     }
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        clod_samples_values(solid, &self->hopper->shape[s].design.state, to->drawn[s]);
+    }
     const clod_rathole hole = clod_rathole_of(solid, &self->hopper->silo);
     to->hole[CLOD_HOPPER_EMPTYING] = hole.emptying;
     to->hole[CLOD_HOPPER_FILLING] = hole.filling;
@@ -180,18 +185,6 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/** Value at a share of the sorted ones, straight between neighbours. */
-static double quantile(const double *sorted, size_t count, double share)
-{
-    const double at = share * (double)(count - 1);
-    const size_t k = (size_t)at;
-    const double part = at - (double)k;
-    if (k + 1 >= count || part == 0.0 || sorted[k] == sorted[k + 1]) {
-        return sorted[k];
-    }
-    return sorted[k] + part * (sorted[k + 1] - sorted[k]);
-}
-
 /** The number that lies `offset` bytes into a sample. */
 static double number_at(const sample *of, size_t offset)
 {
@@ -207,6 +200,20 @@ static double finer(double value, double coarse)
     return fabs(ratio - 1.0) < COARSEST ? ratio : 1.0; // not of other outcomes
 }
 
+/** The numbers that lie `offset` bytes into each sample, sorted; those that are NAN left out. */
+static size_t sort_numbers(const task *self, size_t offset, double *room)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < self->count; i++) {
+        const double number = number_at(&self->samples[i], offset);
+        if (!isnan(number)) {
+            room[count++] = number;
+        }
+    }
+    qsort(room, count, sizeof *room, by_size);
+    return count;
+}
+
 /**
  * Interval of a number that lies `offset` bytes into each sample; those that are NAN left out. A
  * number that is not known has none.
@@ -216,22 +223,43 @@ static double finer(double value, double coarse)
 static double put_interval(const task *self, size_t offset, double *room,
                            clod_hopper_value *value)
 {
-    size_t count = 0;
-    for (size_t i = 0; i < self->count; i++) {
-        const double number = number_at(&self->samples[i], offset);
-        if (!isnan(number)) {
-            room[count++] = number;
-        }
-    }
+    const size_t count = sort_numbers(self, offset, room);
     value->low = value->high = (double)NAN;
     if (count > 0 && !isnan(value->value)) {
         const double scale = finer(value->value, number_at(&self->measured, offset));
         const double tail = 0.5 * (1.0 - self->hopper->from.interval.level);
-        qsort(room, count, sizeof *room, by_size);
-        value->low = scale * quantile(room, count, tail);
-        value->high = scale * quantile(room, count, 1.0 - tail);
+        value->low = scale * clod_samples_quantile(room, count, tail);
+        value->high = scale * clod_samples_quantile(room, count, 1.0 - tail);
     }
     return (double)count / (double)self->count;
+}
+
+/** All outlets of a shape, and of which measured curves their spread comes. */
+static void put_spread(const task *self, int s, double *room, clod_hopper_found *found)
+{
+    const size_t offset =
+        offsetof(sample, number) +
+        (size_t)(s * CLOD_HOPPER_NUMBERS + CLOD_HOPPER_OUTLET) * sizeof(double);
+    const size_t count = sort_numbers(self, offset, room);
+    const double scale =
+        finer(found->number[CLOD_HOPPER_OUTLET].value, number_at(&self->measured, offset));
+    for (int q = 0; q < CLOD_HOPPER_QUANTILES; q++) {
+        const double share = (double)q / (CLOD_HOPPER_QUANTILES - 1);
+        found->quantile[q] =
+            count > 0 ? scale * clod_samples_quantile(room, count, share) : (double)NAN;
+    }
+    double *drawn = room + self->count;
+    for (size_t i = 0; i < self->count; i++) {
+        room[i] = self->samples[i].number[s][CLOD_HOPPER_OUTLET];
+    }
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        for (size_t i = 0; i < self->count; i++) {
+            drawn[i] = self->samples[i].drawn[s][k];
+        }
+        found->cause[k] = clod_hopper_is_critical(&found->design)
+                              ? clod_samples_share(drawn, room, self->count)
+                              : (double)NAN;
+    }
 }
 
 /** Shares of outcomes, and of samples in which the planned outlet does not let the solid flow. */
@@ -257,6 +285,7 @@ static void collect(const task *self, double *room, clod_hopper *to)
             put_interval(self, offsetof(sample, number) + place, room, &to->shape[s].number[n]);
         }
         put_shares(self, s, &to->shape[s]);
+        put_spread(self, s, room, &to->shape[s]);
     }
     for (size_t h = 0; h < CLOD_HOPPER_HOLES; h++) {
         to->holed[h] = put_interval(self, offsetof(sample, hole) + h * sizeof(double), room,
@@ -268,7 +297,7 @@ bool clod_interval_fill(clod_hopper *self, clod_status *status)
 {
     task all = {.hopper = self, .count = (size_t)self->from.interval.samples};
     all.samples = clod_memory_alloc(all.count, sizeof *all.samples);
-    double *room = clod_memory_alloc(all.count, sizeof *room);
+    double *room = clod_memory_alloc(2 * all.count, sizeof *room);
     bool good = all.samples != NULL && room != NULL;
     if (good) {
         design_sample(&all, &self->solid, &all.measured);

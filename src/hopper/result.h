@@ -12,6 +12,7 @@
 
 #define CLOD_HOPPER_SHAPES 2
 #define CLOD_HOPPER_OUTCOMES 6
+#define CLOD_HOPPER_QUANTILES 101 ///< of the critical outlet: 0, 1, ... 100 % of the samples
 
 /** Numbers of one shape. */
 typedef enum clod_hopper_number {
@@ -45,11 +46,18 @@ typedef struct clod_hopper_found {
     double share[CLOD_HOPPER_OUTCOMES]; ///< of the samples
     double arching;    ///< share of the samples in which the planned outlet arches
     double mechanical; ///< m: outlet at which large particles do not arch; 0: not known
+    double
+        quantile[CLOD_HOPPER_QUANTILES]; ///< m: outlets of the samples, as CLOD_HOPPER_OUTLET;
+                                         ///< NAN: no sample has one
+    double cause[CLOD_SOLID_CURVES]; ///< share of the variance of the outlet that comes of each
+                                     ///< measured curve (samples.h); NAN: not known
 } clod_hopper_found;
 
 struct clod_hopper {
-    clod_hopper_case from;                       ///< owned content
-    char *path;                                  ///< owned, of the case
+    clod_hopper_case from; ///< owned content
+    char *path;            ///< owned, of the case
+    char **overrides;      ///< [override_count] owned
+    size_t override_count;
     clod_solid solid;                            ///< owned points
     clod_hopper_found shape[CLOD_HOPPER_SHAPES]; ///< by clod_radial_shape
     clod_rathole_silo silo;

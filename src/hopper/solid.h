@@ -8,7 +8,15 @@
 
 #include "hopper/curve.h"
 
-#define CLOD_SOLID_CURVES 5
+/** Places of the curves. */
+enum {
+    CLOD_SOLID_STRENGTH,
+    CLOD_SOLID_PHI_E,
+    CLOD_SOLID_PHI_T,
+    CLOD_SOLID_RHO,
+    CLOD_SOLID_WALL,
+    CLOD_SOLID_CURVES,
+};
 
 /** Properties; stresses in Pa, angles in rad, densities in kg/m3. */
 typedef struct clod_solid {

@@ -10,9 +10,9 @@
 #include "base/given.h"
 #include "base/text.h"
 #include "hopper/fields.h"
+#include "hopper/words.h"
 
 #define WIDTH 96 ///< of a line of text
-#define DEGREES 57.295779513082323
 
 static void put_number(FILE *out, int width, const clod_hopper_field *how, double value)
 {
@@ -53,57 +53,6 @@ static void put_text(FILE *out, const char *first, const char *text)
     fprintf(out, "%s\n", text);
 }
 
-/** What comes of the shape, in a sentence. */
-static void put_verdict(FILE *out, const clod_hopper_found *found)
-{
-    static const char *const WORDS[CLOD_HOPPER_OUTCOMES] = {
-        [CLOD_HOPPER_FLOWS] = "Mass flow, and no cohesive arch above the critical outlet.",
-        [CLOD_HOPPER_NO_ARCH] =
-            ("Mass flow. The strength nowhere reaches the stress of an arch: no cohesive arch "
-             "at any outlet. Particles and the flow rate decide about its size."),
-        [CLOD_HOPPER_ARCHES] =
-            ("The strength stays above the stress of an arch, at every stress or beyond some "
-             "stress: no outlet is large enough, the solid cannot flow by gravity."),
-        [CLOD_HOPPER_FUNNEL] =
-            ("Funnel flow: the solid does not slide along this wall. A smoother or a steeper "
-             "one may help; otherwise see the rathole."),
-        [CLOD_HOPPER_UNSETTLED] = "No critical state was found; see the warnings.",
-    };
-    const clod_hopper_design *at = &found->design;
-    if (at->outcome == CLOD_HOPPER_UNPROVEN) {
-        char text[256];
-        snprintf(
-            text, sizeof text,
-            "Not known to be mass flow: a wedge steeper than %.1f deg is, this one has %.1f "
-            "deg. If a chart for wedges allows that, no cohesive arch stands %s.",
-            DEGREES * at->limit, DEGREES * at->half_angle,
-            at->outlet > 0.0 ? "above the critical outlet" : "at any outlet");
-        put_text(out, "  ", text);
-    } else {
-        put_text(out, "  ", WORDS[at->outcome]);
-    }
-}
-
-static void put_shares(FILE *out, const clod_hopper_found *found)
-{
-    static const char *const WORDS[CLOD_HOPPER_OUTCOMES] = {
-        [CLOD_HOPPER_FLOWS] = "with a critical outlet",
-        [CLOD_HOPPER_NO_ARCH] = "without an arch",
-        [CLOD_HOPPER_ARCHES] = "arching at any outlet",
-        [CLOD_HOPPER_FUNNEL] = "in funnel flow",
-        [CLOD_HOPPER_UNSETTLED] = "not settled",
-        [CLOD_HOPPER_UNPROVEN] = "not known to be mass flow"};
-    char text[256] = "";
-    for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
-        if (found->share[k] > 0.0) {
-            const size_t used = strlen(text);
-            snprintf(text + used, sizeof text - used, "%s%.1f %% %s", used > 0 ? ", " : "",
-                     100.0 * found->share[k], WORDS[k]);
-        }
-    }
-    put_text(out, "  samples ", text);
-}
-
 static void put_planned(FILE *out, const clod_hopper_found *found)
 {
     if (found->planned <= 0.0) {
@@ -122,9 +71,11 @@ static void put_planned(FILE *out, const clod_hopper_found *found)
 static void put_shape(FILE *out, const clod_hopper_found *found)
 {
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
+    char text[CLOD_WORDS_MOST];
     fprintf(out, "\n%s\n",
             cone ? "Cone, round outlet" : "Wedge, slot at least 3 times as long");
-    put_verdict(out, found);
+    clod_words_verdict(found, text);
+    put_text(out, "  ", text);
     for (int n = 0; n < CLOD_HOPPER_MARGIN; n++) {
         put_line(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
     }
@@ -133,7 +84,8 @@ static void put_shape(FILE *out, const clod_hopper_found *found)
                 cone ? "outlet by particles, 8 times" : "outlet by particles, 4 times",
                 1e3 * found->mechanical);
     }
-    put_shares(out, found);
+    clod_words_shares(found, text);
+    put_text(out, "  samples ", text);
     put_planned(out, found);
 }
 

@@ -11,6 +11,8 @@
 const char *const CLOD_FIGURE_COLOUR[CLOD_FIGURE_COLOURS] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
 
+const char *const CLOD_FIGURE_GREY_COLOUR = "#6b7078";
+
 void clod_figure_init(clod_figure *self, const char *name, const char *title)
 {
     *self = (clod_figure){.x.factor = 1.0, .y.factor = 1.0};
@@ -72,7 +74,7 @@ static double *pick(const double *from, const size_t *kept, size_t count, bool *
     return to;
 }
 
-void clod_figure_add(clod_figure *self, const char *name, clod_figure_style style, int colour,
+void clod_figure_add(clod_figure *self, const char *name, clod_figure_style style, int number,
                      size_t count, const double *x, const double *y, const double *error)
 {
     if (count == 0) {
@@ -87,7 +89,11 @@ void clod_figure_add(clod_figure *self, const char *name, clod_figure_style styl
     }
     self->curves = grown;
     clod_figure_curve *curve = &self->curves[self->count++];
-    *curve = (clod_figure_curve){.style = style, .colour = colour, .count = count};
+    *curve = (clod_figure_curve){.style = style, .colour = number, .count = count};
+    if (number >= 0) {
+        curve->colour = number % CLOD_FIGURE_COLOURS;
+        curve->round = number / CLOD_FIGURE_COLOURS % CLOD_FIGURE_ROUNDS;
+    }
     snprintf(curve->name, sizeof curve->name, "%s", name);
     const bool thin = count > CLOD_FIGURE_MOST;
     curve->count = thin ? choose_points(count, y, kept) : count;
@@ -98,7 +104,7 @@ void clod_figure_add(clod_figure *self, const char *name, clod_figure_style styl
 }
 
 void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style style,
-                        int colour, double centre, double radius)
+                        int number, double centre, double radius)
 {
     double x[ARC], y[ARC];
     if (!isfinite(centre) || !isfinite(radius) || radius <= 0.0) {
@@ -109,7 +115,7 @@ void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style s
         x[k] = centre + radius * cos(angle);
         y[k] = k == 0 || k == ARC - 1 ? 0.0 : radius * sin(angle);
     }
-    clod_figure_add(self, name, style, colour, ARC, x, y, NULL);
+    clod_figure_add(self, name, style, number, ARC, x, y, NULL);
 }
 
 size_t clod_figure_begin(const double *x, size_t rows)

@@ -12,6 +12,10 @@
 #define CLOD_FIGURE_COLOURS 7
 extern const char *const CLOD_FIGURE_COLOUR[CLOD_FIGURE_COLOURS];
 #define CLOD_FIGURE_GREY (-1) ///< for what is not data: class borders, circles of reference
+extern const char *const CLOD_FIGURE_GREY_COLOUR;
+
+/** Rounds of the colours: lines have other dashes, points other marks in each of them. */
+#define CLOD_FIGURE_ROUNDS 4
 
 #define CLOD_FIGURE_MOST 2000 ///< points of a curve
 
@@ -19,6 +23,7 @@ typedef enum clod_figure_style {
     CLOD_FIGURE_LINE,
     CLOD_FIGURE_DASHED,
     CLOD_FIGURE_DOTTED,
+    CLOD_FIGURE_DASH_DOT,
     CLOD_FIGURE_POINTS,
     CLOD_FIGURE_HOLLOW, ///< points with no filling
     CLOD_FIGURE_STYLES,
@@ -27,7 +32,8 @@ typedef enum clod_figure_style {
 typedef struct clod_figure_curve {
     char name[96]; ///< in the legend; "": not in it
     clod_figure_style style;
-    int colour;
+    int colour;    ///< below CLOD_FIGURE_COLOURS, or grey
+    int round;     ///< below CLOD_FIGURE_ROUNDS
     double *x, *y; ///< [count] owned, as in the files; NaN: a gap
     double *error; ///< [count] owned: standard error of y; NULL: none
     size_t count;
@@ -64,15 +70,17 @@ void clod_figure_axis_set(clod_figure_axis *self, const char *text, const char *
  * Add a curve of `count` points. Of more than CLOD_FIGURE_MOST only the least and the greatest y of
  * every group of neighbours are kept, and the ends.
  *
+ * @param number  of the curve's colour, from 0 on: behind the last colour the next round begins; or
+ *                CLOD_FIGURE_GREY
  * @param error  [count] standard errors of y, or NULL
  * Errors  `lost` is set.   Threads  one per figure.   Test  tests/report/test_figure.c
  */
-void clod_figure_add(clod_figure *self, const char *name, clod_figure_style style, int colour,
+void clod_figure_add(clod_figure *self, const char *name, clod_figure_style style, int number,
                      size_t count, const double *x, const double *y, const double *error);
 
 /** Add the upper half of a circle about (centre, 0); nothing where it is not finite. */
 void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style style,
-                        int colour, double centre, double radius);
+                        int number, double centre, double radius);
 
 /** The row before the first whose x is not 0: till then a test is filled and loaded in one place. */
 size_t clod_figure_begin(const double *x, size_t rows);

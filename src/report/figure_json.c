@@ -55,8 +55,8 @@ static void put_axis(FILE *out, const char *name, const clod_figure_axis *axis)
 
 void clod_figure_json(FILE *out, const clod_figure *figure)
 {
-    static const char *const STYLES[CLOD_FIGURE_STYLES] = {"line", "dashed", "dotted", "points",
-                                                           "hollow"};
+    static const char *const STYLES[CLOD_FIGURE_STYLES] = {"line",    "dashed", "dotted",
+                                                           "dashdot", "points", "hollow"};
     fputs("{\"name\":", out);
     clod_figure_json_text(out, figure->name);
     fputs(",\"title\":", out);
@@ -72,7 +72,9 @@ void clod_figure_json(FILE *out, const clod_figure *figure)
         fputs(c > 0 ? ",\n{\"name\":" : "\n{\"name\":", out);
         clod_figure_json_text(out, curve->name);
         fprintf(out, ",\"style\":\"%s\",\"colour\":\"%s\"", STYLES[curve->style],
-                curve->colour < 0 ? "#8a8f98" : CLOD_FIGURE_COLOUR[curve->colour]);
+                curve->colour < 0 ? CLOD_FIGURE_GREY_COLOUR
+                                  : CLOD_FIGURE_COLOUR[curve->colour]);
+        fprintf(out, ",\"round\":%d", curve->round);
         put_numbers(out, "x", curve->x, curve->count);
         put_numbers(out, "y", curve->y, curve->count);
         put_numbers(out, "error", curve->error, curve->count);

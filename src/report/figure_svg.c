@@ -13,7 +13,6 @@
 #define BELOW 52.0 ///< the plot: ticks and the name of the axis
 #define ROW 20.0   ///< of the legend
 #define LETTER 6.8 ///< mean width of one
-#define GREY "#8a8f98"
 
 /** Where things are in the drawing. */
 typedef struct frame {
@@ -24,7 +23,7 @@ typedef struct frame {
 
 static const char *colour_of(int colour)
 {
-    return colour < 0 ? GREY : CLOD_FIGURE_COLOUR[colour];
+    return colour < 0 ? CLOD_FIGURE_GREY_COLOUR : CLOD_FIGURE_COLOUR[colour];
 }
 
 static double at_x(const frame *self, double value)
@@ -86,28 +85,44 @@ static void put_errors(FILE *out, const frame *self, const clod_figure_curve *cu
     }
 }
 
+/** One point, at a place of the drawing. */
+static void put_mark(FILE *out, const clod_figure_curve *curve, double x, double y)
+{
+    static const char *const SHAPES[CLOD_FIGURE_ROUNDS] = {
+        "", "m-4 -4h8v8h-8z", "m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z", "m0 -5.5l5 9h-10z"};
+    const char *colour = colour_of(curve->colour);
+    if (curve->round == 0) {
+        fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\"", x, y);
+    } else {
+        fprintf(out, "<path d=\"M%.1f %.1f%s\"", x, y, SHAPES[curve->round]);
+    }
+    fprintf(out, " fill=\"%s\" stroke=\"%s\" stroke-width=\"2\"/>\n",
+            curve->style == CLOD_FIGURE_HOLLOW ? "#ffffff" : colour, colour);
+}
+
 static void put_marks(FILE *out, const frame *self, const clod_figure_curve *curve,
                       const clod_figure *of)
 {
-    const char *colour = colour_of(curve->colour);
     put_errors(out, self, curve, of);
     for (size_t i = 0; i < curve->count; i++) {
         if (isfinite(curve->x[i]) && isfinite(curve->y[i])) {
-            fprintf(out,
-                    "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"%s\" stroke=\"%s\" "
-                    "stroke-width=\"2\"/>\n",
-                    at_x(self, curve->x[i] * of->x.factor),
-                    at_y(self, curve->y[i] * of->y.factor),
-                    curve->style == CLOD_FIGURE_HOLLOW ? "#ffffff" : colour, colour);
+            put_mark(out, curve, at_x(self, curve->x[i] * of->x.factor),
+                     at_y(self, curve->y[i] * of->y.factor));
         }
     }
 }
 
-static const char *dashes(clod_figure_style style)
+/** Dashes of a curve: those of its style, and of solid lines those of its round. */
+static const char *dashes(const clod_figure_curve *curve)
 {
-    return style == CLOD_FIGURE_DASHED   ? " stroke-dasharray=\"7 4\""
-           : style == CLOD_FIGURE_DOTTED ? " stroke-dasharray=\"2 4\""
-                                         : "";
+    static const char *const LINES[CLOD_FIGURE_ROUNDS] = {"", " stroke-dasharray=\"7 3 2 3\"",
+                                                          " stroke-dasharray=\"14 4\"",
+                                                          " stroke-dasharray=\"14 3 2 3\""};
+    static const char *const STYLES[CLOD_FIGURE_STYLES] = {
+        [CLOD_FIGURE_DASHED] = " stroke-dasharray=\"7 4\"",
+        [CLOD_FIGURE_DOTTED] = " stroke-dasharray=\"2 4\"",
+        [CLOD_FIGURE_DASH_DOT] = " stroke-dasharray=\"7 3 2 3\""};
+    return STYLES[curve->style] != NULL ? STYLES[curve->style] : LINES[curve->round];
 }
 
 static void put_line(FILE *out, const frame *self, const clod_figure_curve *curve,
@@ -117,7 +132,7 @@ static void put_line(FILE *out, const frame *self, const clod_figure_curve *curv
         out,
         "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" stroke-linejoin=\"round\"%s "
         "d=\"",
-        colour_of(curve->colour), dashes(curve->style));
+        colour_of(curve->colour), dashes(curve));
     bool down = false; // the pen
     for (size_t i = 0; i < curve->count; i++) {
         const bool there = isfinite(curve->x[i]) && isfinite(curve->y[i]);
@@ -155,15 +170,9 @@ static int put_legend(FILE *out, const frame *self, const clod_figure *of)
             const double y = self->bottom + BELOW + ROW * row;
             fprintf(out, "<path d=\"M%.1f %.1fh24\" stroke=\"%s\" stroke-width=\"%s\"%s/>\n", x,
                     y, colour_of(curve->colour), is_marks(curve->style) ? "0" : "2",
-                    dashes(curve->style));
+                    dashes(curve));
             if (is_marks(curve->style)) {
-                fprintf(out,
-                        "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"%s\" stroke=\"%s\" "
-                        "stroke-width=\"2\"/>\n",
-                        x + 12.0, y,
-                        curve->style == CLOD_FIGURE_HOLLOW ? "#ffffff"
-                                                           : colour_of(curve->colour),
-                        colour_of(curve->colour));
+                put_mark(out, curve, x + 12.0, y);
             }
             put_text(out, x + 30.0, y + 4.5, "", curve->name);
         }

@@ -17,12 +17,13 @@ void clod_flow_figure_init(clod_figure *self)
 void clod_flow_figure_classes(clod_figure *self, double largest)
 {
     static const double BORDERS[] = {1.0, 2.0, 4.0, 10.0};
+    static const clod_figure_style STYLES[] = {CLOD_FIGURE_LINE, CLOD_FIGURE_DASHED,
+                                               CLOD_FIGURE_DOTTED, CLOD_FIGURE_DASH_DOT};
     for (int k = 0; k < 4 && largest > 0.0; k++) {
         char name[32];
         const double x[2] = {0.0, 1.1 * largest};
         const double y[2] = {0.0, 1.1 * largest / BORDERS[k]};
         snprintf(name, sizeof name, "ffc = %g", BORDERS[k]);
-        clod_figure_add(self, name, k % 2 == 0 ? CLOD_FIGURE_DASHED : CLOD_FIGURE_DOTTED,
-                        CLOD_FIGURE_GREY, 2, x, y, NULL);
+        clod_figure_add(self, name, STYLES[k], CLOD_FIGURE_GREY, 2, x, y, NULL);
     }
 }

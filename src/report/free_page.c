@@ -99,12 +99,12 @@ static void put_clumps(clod_sheet *sheet, const clod_table *table)
     clod_figure_axis_set(&figure.x, "grains of a clump, up to", "", 1.0);
     clod_figure_axis_set(&figure.y, "share of the mass in this class", "%", 100.0);
     figure.log_x = true;
-    int colour = 0;
+    int number = 0;
     for (size_t from = 0, r = 1; x != NULL && y != NULL && r <= table->rows; r++) {
         const char *count = table->cells[from * table->columns];
         if (r == table->rows || strcmp(table->cells[r * table->columns], count) != 0) {
-            clod_figure_add(&figure, count, CLOD_FIGURE_LINE, colour++ % CLOD_FIGURE_COLOURS,
-                            r - from, x + from, y + from, NULL);
+            clod_figure_add(&figure, count, CLOD_FIGURE_LINE, number++, r - from, x + from,
+                            y + from, NULL);
             from = r;
         }
     }

@@ -37,8 +37,8 @@ static bool add_part(clod_figure *figures, const clod_run_files *run,
         const int column = clod_table_find(&table, curves->columns[q].column);
         double *y = column >= 0 ? clod_table_numbers(&table, column) : NULL;
         if (y != NULL) {
-            clod_figure_add(&figures[q], part, CLOD_FIGURE_LINE, number % CLOD_FIGURE_COLOURS,
-                            table.rows - first, x + first, y + first, NULL);
+            clod_figure_add(&figures[q], part, CLOD_FIGURE_LINE, number, table.rows - first,
+                            x + first, y + first, NULL);
         }
         clod_memory_free(y);
     }

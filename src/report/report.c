@@ -9,6 +9,7 @@
 #include "report/cards.h"
 #include "report/grain_view.h"
 #include "report/head.h"
+#include "report/hopper_page.h"
 #include "report/run_kinds.h"
 #include "report/scripts.h"
 #include "report/sheet.h"
@@ -95,6 +96,18 @@ bool clod_report_write(const clod_report_options *options, char **path, clod_sta
         clod_memory_free(*path);
         *path = NULL;
     }
+    return good;
+}
+
+bool clod_report_hopper(const clod_hopper *design, const char *path, clod_status *status)
+{
+    clod_sheet sheet = {0};
+    bool good = clod_sheet_open(&sheet, status);
+    if (good) {
+        clod_hopper_page_put(&sheet, design);
+        good = clod_sheet_write(&sheet, clod_hopper_page_title(design), path, status);
+    }
+    clod_sheet_fini(&sheet);
     return good;
 }
 

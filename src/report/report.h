@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "clod/hopper.h"
 #include "clod/status.h"
 
 #ifdef __cplusplus
@@ -39,6 +40,16 @@ bool clod_report_write(const clod_report_options *options, char **path, clod_sta
  * differ, curves over each other. Otherwise as clod_report_write.
  */
 bool clod_report_compare(const clod_report_options *options, char **path, clod_status *status);
+
+/**
+ * Write the page of a design: what to build, warnings, figures, numbers, provenance; and each figure
+ * as SVG beside it.
+ *
+ * @param path  of the page: NAME.html
+ * Errors  CLOD_FAILED: disk, memory.   Threads  one at a time.
+ * Test    tests/report/test_hopper_page.py
+ */
+bool clod_report_hopper(const clod_hopper *design, const char *path, clod_status *status);
 
 /** NULL, or what the pages lack because clod was built without their scripts, and how to get it.
  */

@@ -109,7 +109,7 @@ static bool is_folder(const char *folder, clod_status *status)
            clod_status_fail(
                status, CLOD_USAGE,
                "%s is a file, not the results folder of a run. Name a folder, e.g. run/first%s.",
-               folder, design ? "; clod hopper -o draws the chart of a design itself" : "");
+               folder, design ? "; clod hopper -o writes the page of a design itself" : "");
 }
 
 /** Say why a folder is not that of a run. */

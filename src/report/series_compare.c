@@ -32,14 +32,6 @@ static void set_axis(clod_figure_axis *axis, const char *name, const char *unit)
     }
 }
 
-/** Style and colour of curve number k. */
-static clod_figure_style style_of(size_t k)
-{
-    static const clod_figure_style STYLES[] = {CLOD_FIGURE_LINE, CLOD_FIGURE_DASHED,
-                                               CLOD_FIGURE_DOTTED};
-    return STYLES[k / CLOD_FIGURE_COLOURS % 3];
-}
-
 /** Add the column of a table; tables without it add nothing. */
 static void add_table(clod_figure *figure, const clod_table *table, const char *over,
                       const char *column, const char *name, size_t number)
@@ -52,8 +44,8 @@ static void add_table(clod_figure *figure, const clod_table *table, const char *
         const size_t first = strcmp(over, "time") == 0 ? 0 : clod_figure_begin(x, table->rows);
         set_axis(&figure->x, over, table->units[at]);
         set_axis(&figure->y, column, table->units[of]);
-        clod_figure_add(figure, name, style_of(number), (int)(number % CLOD_FIGURE_COLOURS),
-                        table->rows - first, x + first, y + first, NULL);
+        clod_figure_add(figure, name, CLOD_FIGURE_LINE, (int)number, table->rows - first,
+                        x + first, y + first, NULL);
     }
     clod_memory_free(x);
     clod_memory_free(y);
@@ -106,8 +98,7 @@ static void add_strengths(clod_figure *figure, const clod_run_files *run, size_t
             used++;
         }
     }
-    clod_figure_add(figure, run->name, CLOD_FIGURE_POINTS, (int)(number % CLOD_FIGURE_COLOURS),
-                    used, x, y, error);
+    clod_figure_add(figure, run->name, CLOD_FIGURE_POINTS, (int)number, used, x, y, error);
 }
 
 bool clod_series_compare_strengths(clod_sheet *sheet, const clod_run_files *runs, size_t count,

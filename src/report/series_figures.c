@@ -22,10 +22,7 @@ static void add_column(clod_figure *figure, const clod_table *series, const doub
         figure->lost = true;
         return;
     }
-    static const clod_figure_style STYLES[] = {CLOD_FIGURE_LINE, CLOD_FIGURE_DASHED,
-                                               CLOD_FIGURE_DOTTED};
-    clod_figure_add(figure, name, STYLES[number / CLOD_FIGURE_COLOURS % 3],
-                    number % CLOD_FIGURE_COLOURS, series->rows, time, value, NULL);
+    clod_figure_add(figure, name, CLOD_FIGURE_LINE, number, series->rows, time, value, NULL);
     clod_memory_free(value);
 }
 

@@ -81,7 +81,7 @@ static void put_loci(clod_sheet *sheet, const clod_shear_loci *sets, size_t coun
     for (size_t s = 0; s < count; s++) {
         const json_t *locus;
         for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
-            add_locus(&figure, locus, sets[s].of, sets[s].lab, colour++ % CLOD_FIGURE_COLOURS);
+            add_locus(&figure, locus, sets[s].of, sets[s].lab, colour++);
         }
     }
     clod_sheet_figure(sheet, &figure);
@@ -109,8 +109,8 @@ static void put_flow_function(clod_sheet *sheet, const clod_shear_loci *sets, si
             n++;
         }
         clod_figure_add(&figure, sets[s].of,
-                        sets[s].lab ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS,
-                        (int)(s % CLOD_FIGURE_COLOURS), n, x, y, error);
+                        sets[s].lab ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS, (int)s, n, x, y,
+                        error);
     }
     clod_flow_figure_classes(&figure, largest);
     clod_sheet_figure(sheet, &figure);

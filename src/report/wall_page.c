@@ -219,7 +219,7 @@ void clod_wall_page_figures(clod_sheet *sheet, const clod_wall_page_locus *loci,
              "Both axes have the same scale. The line is fitted to the points; where it meets "
              "the shear stress axis is the wall adhesion.");
     for (size_t s = 0; s < count; s++) {
-        const int colour = (int)(s % CLOD_FIGURE_COLOURS);
+        const int colour = (int)s;
         const double end =
             add_points(&line, &loci[s], loci[s].of, "tau_w_Pa", "tau_w_error_Pa", colour);
         add_line(&line, &loci[s], end, colour);

@@ -121,6 +121,30 @@ void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *n
     }
 }
 
+bool clod_fields_path(const clod_case *from, size_t k, clod_free_path *path)
+{
+    for (size_t f = 0; f < from->field_count; f++) {
+        const clod_case_field *asked = &from->fields[f];
+        const bool region = asked->cell == 0.0;
+        for (int v = 0; region && v < CLOD_CONTINUUM_VALUES; v++) {
+            char value[CLOD_FREE_PATHS_TEXT];
+            const bool single = CLOD_CONTINUUM_VALUE[v].components == 1;
+            snprintf(value, sizeof value, "%.160s.%s", asked->name,
+                     CLOD_CONTINUUM_VALUE[v].key);
+            if (clod_free_paths_pick(single ? "mean deviation" : "mean.* deviation.*", value,
+                                     &k, path)) {
+                return true;
+            }
+        }
+        if (clod_free_paths_pick(region ? "since_s samples volume_m3"
+                                        : "since_s samples cells.* used_cells cell_m width_m",
+                                 asked->name, &k, path)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
 {
     json_t *all = json_object();

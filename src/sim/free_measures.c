@@ -1,5 +1,7 @@
 #include "sim/free_measures.h"
 
+#include <string.h>
+
 #include "sim/balance.h"
 #include "sim/belt_loads.h"
 #include "sim/build_up.h"
@@ -241,17 +243,25 @@ static bool is_told(int k, const clod_case *from)
     return MEASURES[k]->json != NULL && (MEASURES[k]->told == NULL || MEASURES[k]->told(from));
 }
 
-size_t clod_free_measures_sections(const clod_case *from,
-                                   const char *keys[CLOD_FREE_MEASURES_MOST])
+bool clod_free_measures_path(const clod_case *from, size_t k, clod_free_path *path)
 {
-    _Static_assert(COUNT <= CLOD_FREE_MEASURES_MOST, "room for all");
-    size_t count = 0;
-    for (int k = 0; k < COUNT; k++) {
-        if (is_told(k, from)) {
-            keys[count++] = MEASURES[k]->key;
+    for (int m = 0; m < COUNT; m++) {
+        const clod_free_measure *self = MEASURES[m];
+        clod_free_path below = {"**"};
+        for (size_t n = 0; is_told(m, from); n++) {
+            const bool there = self->path != NULL ? self->path(from, n, &below) : n == 0;
+            if (!there) {
+                break;
+            }
+            if (k-- == 0) {
+                const size_t key = strlen(self->key);
+                snprintf(path->text, sizeof path->text, "%s.%.*s", self->key,
+                         (int)(sizeof path->text - key - 2), below.text);
+                return true;
+            }
         }
     }
-    return count;
+    return false;
 }
 
 void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now)

@@ -17,6 +17,7 @@
 #include "measure/contacts.h"
 #include "output/folder.h"
 #include "sim/frame.h"
+#include "sim/free_paths.h"
 #include "sim/news.h"
 #include "sim/sight.h"
 #include "sim/steady_time.h"
@@ -83,6 +84,9 @@ typedef struct clod_free_measure {
     bool (*told)(const clod_case *from);
     /** The same as the report for programs, where it is told: a new object or array; NULL when there is nothing yet. */
     json_t *(*json)(const void *memory, const clod_free_moment *now);
+    /** Path k of the numbers that its object may have; false: there are no more. NULL: not known
+     *  before a run. */
+    bool (*path)(const clod_case *from, size_t k, clod_free_path *path);
     /** Files of its own at the end; their names stand in output/folder_names.c. */
     bool (*write)(const clod_folder *folder, const void *memory, const clod_free_moment *now,
                   clod_status *status);
@@ -140,11 +144,9 @@ void clod_free_measures_sums_end(void *memory, const clod_free_moment *now);
 
 void clod_free_measures_report(FILE *out, const void *memory, const clod_free_moment *now);
 
-#define CLOD_FREE_MEASURES_MOST 16
-
-/** Keys of the objects that the summary of a run of this case has; borrowed. Returns their number. Threads: pure. */
-size_t clod_free_measures_sections(const clod_case *from,
-                                   const char *keys[CLOD_FREE_MEASURES_MOST]);
+/** Path k of the numbers that the objects of all measures may have in the summary of a run of this
+ *  case, from its top; false: there are no more. Threads: pure. */
+bool clod_free_measures_path(const clod_case *from, size_t k, clod_free_path *path);
 
 /** Put each measure's object into the summary under its key. */
 void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now);

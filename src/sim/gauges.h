@@ -55,6 +55,8 @@ bool clod_gauges_news(void *memory, const clod_case *from, const clod_state *sta
 /** Lines of the report, object of the summary, tables (gauges_report.c, gauges_table.c). */
 void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *now);
 json_t *clod_gauges_json(const void *memory, const clod_free_moment *now);
+
+bool clod_gauges_path(const clod_case *from, size_t k, clod_free_path *path);
 bool clod_gauges_write(const clod_folder *folder, const void *memory,
                        const clod_free_moment *now, clod_status *status);
 

@@ -106,6 +106,19 @@ static json_t *exit_json(const clod_exchange *gone, size_t exit)
                      gone->left_mass[exit], "kinetic_energy_J", gone->left_energy[exit]);
 }
 
+/** Of exit_json. */
+static const char EXIT_PATHS[] = "grains mass_kg kinetic_energy_J";
+
+static bool side_path(const clod_case *from, size_t k, clod_free_path *path)
+{
+    for (int f = 0; f < CLOD_FACES; f++) {
+        if (is_open(from, f) && clod_free_paths_pick(EXIT_PATHS, SIDES[f].name, &k, path)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool side_told(const clod_case *from)
 {
     return from->open == CLOD_OPEN_DELETE;
@@ -125,6 +138,7 @@ static json_t *side_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_LEAVERS = {.key = "left",
+                                                .path = side_path,
                                                 .columns = side_columns,
                                                 .column = side_column,
                                                 .row = side_row,
@@ -182,7 +196,18 @@ static json_t *outlet_json(const void *memory, const clod_free_moment *now)
     return all;
 }
 
+static bool outlet_path(const clod_case *from, size_t k, clod_free_path *path)
+{
+    for (size_t e = 0; e < from->outlet_count; e++) {
+        if (clod_free_paths_pick(EXIT_PATHS, from->outlets[e].name, &k, path)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 const clod_free_measure CLOD_MEASURE_OUTLETS = {.key = "outlets",
+                                                .path = outlet_path,
                                                 .columns = outlet_columns,
                                                 .column = outlet_column,
                                                 .row = outlet_row,

@@ -169,6 +169,18 @@ static bool mixing_told(const clod_case *from)
     return from->mixing_count > 0;
 }
 
+static bool mixing_path(const clod_case *from, size_t k, clod_free_path *path)
+{
+    for (size_t m = 0; m < from->mixing_count; m++) {
+        if (clod_free_paths_pick("since_s lacey mean deviation variance segregated_variance "
+                                 "random_variance share grains_per_cell",
+                                 from->mixings[m].name, &k, path)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static json_t *mixing_json(const void *memory, const clod_free_moment *now)
 {
     const mixing_memory *self = memory;
@@ -191,6 +203,7 @@ static json_t *mixing_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_MIXING = {.key = "mixing",
+                                               .path = mixing_path,
                                                .size = mixing_size,
                                                .look = mixing_look,
                                                .columns = mixing_columns,

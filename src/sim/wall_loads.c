@@ -60,6 +60,12 @@ static void wall_report(FILE *out, const void *memory, const clod_free_moment *n
     }
 }
 
+static bool wall_path(const clod_case *from, size_t k, clod_free_path *path)
+{
+    (void)from;
+    return clod_free_paths_pick("force_N.* torque_Nm.* shift_m.* angle_rad", "*", &k, path);
+}
+
 static json_t *wall_json(const void *memory, const clod_free_moment *now)
 {
     (void)memory;
@@ -77,6 +83,7 @@ static json_t *wall_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_WALL_LOADS = {.key = "walls",
+                                                   .path = wall_path,
                                                    .columns = wall_columns,
                                                    .column = wall_column,
                                                    .row = wall_row,

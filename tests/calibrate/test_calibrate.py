@@ -264,15 +264,17 @@ class Calibrate(bounce.Bounce):
         self.assertIn("in order", done.stdout)
 
     def test_unknown_number_of_a_free_run_is_told_after_the_first_point(self):
-        """Of the names on the way only the first is known before a run."""
-        plan = PLAN.replace("kinetic_energy_J", "walls.0.torqe_Nm.2")
+        """Some measures show only in a run what they tell."""
+        with open(self.path("bounce.yaml"), "a") as file:
+            file.write("clumps: {}\n")
+        plan = PLAN.replace("kinetic_energy_J", "clumps.sinse_s")
         done = self.calibrate(plan, "-o", "out", code=2)
-        self.assertIn("p000-1-bounce/summary.json has no number walls.0.torqe_Nm.2", done.stderr)
-        self.assertIn("did you mean torque_Nm?", done.stderr)
+        self.assertIn("p000-1-bounce/summary.json has no number clumps.sinse_s", done.stderr)
+        self.assertIn("did you mean since_s?", done.stderr)
         self.assertFalse(os.path.exists(self.path("out/runs/p001-1-bounce")))
 
     def test_folder_of_another_plan_is_refused(self):
-        self.calibrate(PLAN.replace("kinetic_energy_J", "walls.0.nothing"), "-o", "out", code=2)
+        self.calibrate(PLAN.replace("kinetic_energy_J", "walls.7.angle_rad"), "-o", "out", code=2)
         done = self.calibrate(PLAN.replace("to: 0.9", "to: 0.8"), "-o", "out", code=2)
         self.assertIn("out has runs of another plan", done.stderr)
 

@@ -14,9 +14,95 @@ TARGET = "number: kinetic_energy_J, value"
 FULL = """repose: {heap: {region: {box: {min: [0 mm, 0 mm, 0 mm], max: [60 mm, 60 mm, 100 mm]}}, cell: 7 mm}}
 clumps: {}
 """
+# What measures tell in the shapes that they have: bins, alarms, a belt, a grid.
+MEASURED = FULL + """fields:
+  bed: {region: {box: {min: [0 mm, 0 mm, 0 mm], max: [60 mm, 60 mm, 20 mm]}}, cell: 10 mm, width: 20 mm, interval: 1 ms}
+  zone: {region: {box: {min: [0 mm, 0 mm, 0 mm], max: [60 mm, 60 mm, 20 mm]}}, interval: 1 ms}
+mixing: {pot: {region: {box: {min: [0 mm, 0 mm, 0 mm], max: [60 mm, 60 mm, 40 mm]}}, cell: 10 mm, above: 2 mm}}
+outlets: {bin: {region: {box: {min: [0 mm, 0 mm, 150 mm], max: [60 mm, 60 mm, 180 mm]}}}}
+gauges:
+  fall:
+    region: {box: {min: [0 mm, 0 mm, 0 mm], max: [60 mm, 60 mm, 40 mm]}}
+    direction: [0, 0, -2]
+    across: [0, 1, 0]
+    profile: {bins: 3}
+    trajectory: {bins: 2}
+    blocked: {mass_above: 1 g, speed_below: 1 mm/s, for: 0.05 s}
+  ride:
+    region: {box: {min: [0 mm, 0 mm, 0 mm], max: [60 mm, 60 mm, 40 mm]}}
+    direction: [1, 0, 0]
+    belt: feed
+"""
+BELT = """  feed:
+    material: ore
+    shapes: [{belt: {from: [10 mm, 30 mm, 100 mm], heading: [1, 0, 0], runs: [{length: 30 mm}], width: 20 mm, speed: 1 m/s}}]
+"""
+
+
+def leaves(of, before=""):
+    """Paths of all that may be a number; null is one that the run did not define."""
+    if isinstance(of, (dict, list)):
+        for key, value in of.items() if isinstance(of, dict) else enumerate(of):
+            yield from leaves(value, f"{before}.{key}" if before else str(key))
+    elif not isinstance(of, (str, bool)):
+        yield before
 
 
 class Paths(bounce.Bounce):
+
+    def plan_of(self, paths):
+        """A plan with these numbers as targets beside the one that it has."""
+        more = "".join(f"  - {{test: bounce, number: {path}, value: 1, error: 0.1, held_back: true}}\n" for path in paths)
+        return PLAN.replace("error: 4e-6}\n", "error: 4e-6}\n" + more)
+
+    def checked(self, paths):
+        self.write("plan.yaml", self.plan_of(paths))
+        return clod.run("calibrate", "plan.yaml", "--check", cwd=self.folder)
+
+    def start_measured(self):
+        with open(CASE) as file:
+            case = file.read().replace("200 mm]}", "200 mm], open: delete}")
+        self.write("bounce.yaml", case.replace("stages:\n", BELT + "stages:\n") + MEASURED + "output: {series_interval: 1 ms}\n")
+
+    def test_all_numbers_of_a_run_are_paths(self):
+        """A check that refused a number which a run has would be worse than none."""
+        self.start_measured()
+        self.assertEqual(clod.run("run", "bounce.yaml", "-o", "run", "-t", "1", cwd=self.folder).returncode, 0)
+        with open(self.path("run/summary.json")) as file:
+            summary = json.load(file)
+        for name in ("left", "outlets", "walls", "belts", "gauges", "fields", "mixing", "repose", "clumps"):
+            self.assertIn(name, summary)
+        paths = [path for path in leaves(summary) if path != "kinetic_energy_J"]
+        self.assertGreater(len(paths), 150)
+        for first in range(0, len(paths), 25):
+            done = self.checked(paths[first:first + 25])
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_wrong_name_at_any_step_is_refused_with_its_place(self):
+        self.start_measured()
+        for path, words in (
+                ("repose.heep.angle_deg", "did you mean heap?; behind repose it has heap"),
+                ("repose.heap.angel_deg", "did you mean angle_deg?; behind repose.heap it has since_s, angle_deg, error_deg"),
+                ("repose.heap", "has no number repose.heap; behind repose.heap it has since_s,"),
+                ("repose.heap.angle_deg.mean", "; repose.heap.angle_deg is a number"),
+                ("time_s.0", "; time_s is a number"),
+                ("stages.bounce.end_s", "; behind stages it has a number from 0 on"),
+                ("walls.0.force_N.z", "; behind walls.0.force_N it has a number from 0 on"),
+                ("left.y_max.gains", "did you mean grains?; behind left.y_max it has grains, mass_kg, kinetic_energy_J"),
+                ("outlets.bun.grains", "did you mean bin?"),
+                ("belts.feed.power_W.main", "did you mean mean?; behind belts.feed.power_W it has mean, deviation"),
+                ("mixing.pot.lazy", "did you mean lacey?"),
+                ("gauges.fall.profile.at_m.first", "; behind gauges.fall.profile.at_m it has a number from 0 on"),
+                ("gauges.ride.profile.at_m.0", "; behind gauges.ride it has"),
+                ("gauges.ride.landing.long_m_per_s", "did you mean along_m_per_s?"),
+                ("fields.zone.density_kg_per_m3.main", "did you mean mean?"),
+                ("fields.bed.used_cell", "did you mean used_cells?"),
+                ("gauges.full.samples", "did you mean fall?; behind gauges it has fall, ride")):
+            done = self.checked([path])
+            self.assertEqual(done.returncode, 2, (path, done.stderr))
+            self.assertIn(f"plan.yaml:10:28: targets.1.number: test bounce has no number {path}", done.stderr)
+            self.assertIn(words, done.stderr)
+            self.assertIn("\n" + " " * 29 + "^" + "~" * (len(path) - 1) + "\n", done.stderr + "\n")
 
     def told(self, number, text=None):
         """What --check says of a target of this number; exit status 0 is in order."""

@@ -52,10 +52,10 @@ class Hopper(clod.Case):
         self.assertEqual(sorted(os.listdir(self.folder)),
                          ["flow-function.csv", "hopper.yaml", "wall.csv"])
         told = self.hopper("hopper.yaml", "-o", "design").stdout
-        self.assertTrue(told.endswith("\nwrote design.json\nwrote design.svg\n"), told)
+        self.assertTrue(told.endswith("\nwrote design.json\nwrote design.svg\nwrote design.html\n"), told)
         as_json = self.hopper("hopper.yaml", "-o", "again", "--json")
         json.loads(as_json.stdout)
-        self.assertEqual(as_json.stderr, "wrote again.json\nwrote again.svg\n")
+        self.assertEqual(as_json.stderr, "wrote again.json\nwrote again.svg\nwrote again.html\n")
         with open(self.path("design.json")) as file:
             found = json.load(file)
         self.assertEqual(found["cone"]["outcome"], "flows")
@@ -230,6 +230,48 @@ class Hopper(clod.Case):
                              rf"mass flow in a cone, [0-9.]+ deg, by less than the margin of 3\.0 deg\.{more} - ")
             told = self.hopper("case.yaml", "--set", f"{shape}.half_angle={limit - 6} deg").stdout
             self.assertNotIn("by less than the margin", " ".join(told.split()))
+
+    def test_where_the_spread_comes_from(self):
+        """The share of a measurement is the variance that is there with its errors alone, over that with all of
+        them: other runs, other samples. 400 samples tell a variance to 7 % (sqrt(2/n)), so a share to 0.1."""
+        head = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3],rho_b_error [kg/m3]\n"
+        rows = [[2, 1.4, 0.05, 48, 40, 1250, 50], [4, 1.9, 0.05, 47, 40, 1300, 50], [8, 2.9, 0.08, 46, 39, 1350, 50]]
+        samples = ("--set", "interval.samples=400")
+
+        def outlets(strength, wall, density):
+            self.write("case.yaml", CASE if wall else CASE.replace(", error: 1 deg", ""))
+            self.write("flow.csv", head + "".join(
+                ",".join(map(str, (a, b, c if strength else 0, d, e, f, g if density else 0))) + "\n"
+                for a, b, c, d, e, f, g in rows))
+            done = clod.run("hopper", "case.yaml", "--json", *samples, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads(done.stdout)
+
+        def variance(found, shape):
+            """From the 10 % and 90 % quantiles, as of a normal distribution."""
+            of = found[shape]["outlet_percentiles_m"]
+            self.assertEqual(of, sorted(of))
+            return ((of[90] - of[10]) / 2.5631) ** 2
+
+        every = outlets(True, True, True)
+        alone = {"flow_function": outlets(True, False, False), "wall": outlets(False, True, False),
+                 "rho_b": outlets(False, False, True)}
+        for shape in ("cone", "wedge"):
+            shares = every[shape]["outlet_variance_shares"]
+            self.assertEqual(sorted(shares), ["flow_function", "phi_e", "rho_b", "wall"])
+            self.assertEqual(shares["phi_e"], 0.0)  # it has no errors
+            self.assertAlmostEqual(sum(shares.values()), 1.0, delta=0.1)
+            for name, found in alone.items():
+                self.assertAlmostEqual(shares[name], variance(found, shape) / variance(every, shape), delta=0.1, msg=name)
+                self.assertGreater(found[shape]["outlet_variance_shares"][name], 0.98)
+            low, high = every[shape]["outlet_m"]["low"], every[shape]["outlet_m"]["high"]
+            self.assertEqual((low, high), tuple(every[shape]["outlet_percentiles_m"][at] for at in (5, 95)))
+
+    def test_what_was_said_in_place_of_the_case_is_kept(self):
+        self.start()
+        found = self.found("--set", "margin=2 deg")
+        self.assertEqual(found["overrides"], ["margin=2 deg", QUICK[1]])
+        self.assertRegex(found["version"], r"^clod \d")
 
     def test_what_is_not_known_is_not_printed(self):
         """No state "there" without a critical outlet: 46 deg of the wall are not 90, and samples that have

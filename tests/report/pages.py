@@ -94,6 +94,80 @@ def wall(folder, **changes):
           **{"case_HYPHEN_complete__yaml": COMPLETE % (WALL["title"], "2500") + "wall_friction:\n  seeds: 1\n"})
 
 
+def hopper(folder, *more):
+    """The template's design, or that of another case in the folder, with fewer samples: design.html and design.json."""
+    if not os.path.exists(os.path.join(folder, "hopper.yaml")):
+        clod.unittest.TestCase().assertEqual(clod.run("new", "hopper", cwd=folder).returncode, 0)
+    case = [] if more and more[0].endswith(".yaml") else ["hopper.yaml"]
+    done = clod.run("hopper", *case, *more, "--set", "interval.samples=100", "-o", "design", cwd=folder)
+    clod.unittest.TestCase().assertEqual(done.returncode, 0, done.stderr)
+    return done
+
+
+def titled(text):
+    """Rows of the tables of a page, by the first cell of the head: (title or None, text) of each cell."""
+    tables = {}
+    for table in re.findall(r"<table.*?</table>", text, re.S):
+        rows = [[(title or None, html.unescape(cell)) for title, cell in
+                 re.findall(r'<t[hd](?: title="([^"]*)")?>(.*?)</t[hd]>', row, re.S)]
+                for row in re.findall(r"<tr>.*?</tr>", table, re.S)]
+        tables[rows[0][0][1]] = rows
+    return tables
+
+
+def cards(text):
+    """(title or None, number, unit, caption) of the cards of a page."""
+    found = re.findall(r'<div class="card"><b(?: title="([^"]*)")?>([^<]*)(?: <small>([^<]*)</small>)?</b><span>(.*?)</span>', text)
+    return [(title or None, number.strip(), unit, html.unescape(caption)) for title, number, unit, caption in found]
+
+
+LOCUS = {"sigma_p_Pa": 10000.0, "tau_p_Pa": 7200.0, "c_Pa": 1375.0, "phi_lin_deg": 32.0, "flow": "cohesive",
+         "sigma_1_Pa": 21000.0, "sigma_c_Pa": {"value": 7100.0, "error": 90.0}, "steady_circle": {"centre_Pa": 14000.0, "radius_Pa": 7000.0},
+         "points": [{"sigma_s_Pa": 3000.0, "prorated_Pa": 3250.0}, {"sigma_s_Pa": 5000.0, "prorated_Pa": 4500.0}]}
+RUNS = "point,a,b,ring: phi_e [deg]\n" + "".join(f"{k},{text(0.1 * k)},{text(1 - 0.09 * k)},{text(30 + k)}\n" for k in range(8))
+
+
+def shear(folder, shift=0.0):
+    """A ring shear test; `shift` [Pa] moves its points."""
+    locus = {**LOCUS, "tau_p_Pa": LOCUS["tau_p_Pa"] + shift, "c_Pa": LOCUS["c_Pa"] + shift,
+             "points": [{**point, "prorated_Pa": point["prorated_Pa"] + shift} for point in LOCUS["points"]]}
+    write(folder, summary__json={"title": "Ring", "version": "clod 9", "locus": {"loci": [locus]}}, report__txt="all of it\n",
+          preshear__csv=SLIP,
+          **{"case_HYPHEN_complete__yaml": COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"})
+
+
+def calibration(folder):
+    """A finished calibration of two parameters and one target."""
+    about = {"mean": 0.523456, "low": 0.412345, "high": 0.634567, "unit": "N/m^1.5", "from": 0.0, "to": 1.0, "scale": "linear",
+             "relative_width": 0.22, "identified": "yes", "rhat": 1.0012, "effective_samples": 812.3}
+    at = [0.1 * k for k in range(11)]
+    section = {"at": at, "mean": [30 + 7 * x for x in at], "deviation": [0.5] * 11}
+    target = {"name": "ring: phi_e", "measured": 33.5, "error": 0.6, "discrepancy": 0.5, "model": 33.6, "low": 32.5, "high": 34.7,
+              "unit": "deg", "off": 0.1, "surrogate": {"kind": "gaussian process", "runs": 8, "packing_deviation": 0.4,
+                                                       "left_out_error": 0.51, "q2": 0.93, "within_two_deviations": 0.95,
+                                                       "sections": {"a": section, "b": section}}}
+    write(folder, calibration__json={"title": "Two stiffnesses", "level": 0.9, "p_value": 0.4, "chi_square": 1.3, "warnings": ["none"],
+                                     "parameters": {"a": about, "b": {**about, "mean": 0.3}}, "targets": [target]}, runs__csv=RUNS)
+
+
+def every(folder):
+    """One page of each kind, made by hand but for the design of a hopper; names of their files in the folder."""
+    at = lambda name: os.path.join(folder, name)
+    free_run(at("free"), outlets={f"lip{k}": FREE["outlets"]["delivered"] for k in range(12)})
+    uniaxial(at("uniaxial"))
+    wall(at("wall"))
+    shear(at("ring"))
+    calibration(at("fit"))
+    made = [clod.run("report", *map(at, ("free", "uniaxial", "wall", "ring", "fit")))]
+    for k in range(9):  # more than there are colours
+        shear(at(f"packing{k}"), 100.0 * k)
+    made.append(clod.run("compare", *(at(f"packing{k}") for k in range(9)), "-o", at("packings.html")))
+    for done in made:
+        clod.unittest.TestCase().assertEqual(done.returncode, 0, done.stderr)
+    hopper(folder)
+    return [f"{name}/report.html" for name in ("free", "uniaxial", "wall", "ring", "fit")] + ["packings.html", "design.html"]
+
+
 class Page(html.parser.HTMLParser):
     """The tables, list items and texts of a page, and the numbers behind its figures.
 

@@ -142,6 +142,21 @@ class Browser(clod.Case):
         seen, dom = self.show("wall/report.html", 390)
         self.assert_drawn(seen, dom, self.unfolded("wall/report.html"))
 
+    def test_hopper(self):
+        """The page of a design, on a desk and on a phone; the critical state stands on the line of its flow factor."""
+        self.need_scripts(pages.hopper(self.folder))
+        for width in (1200, 390):
+            seen, dom = self.show("design.html", width)
+            self.assert_drawn(seen, dom, self.unfolded("design.html"))
+            chart = pages.Drawn(dom, "design-chart")
+            with open(self.path("design.json")) as file:
+                cone = json.load(file)["cone"]
+            origin = chart.lines()[2][0]  # of the cone's flow factor: flow function and bars are before it
+            wanted = (origin[0] + 1e-3 * cone["sigma_1_Pa"]["value"] * chart.pixels("x"),
+                      origin[1] + 1e-3 * cone["strength_Pa"]["value"] * chart.pixels("y"))
+            off = min(max(abs(x - wanted[0]), abs(y - wanted[1])) for x, y in chart.marks())
+            self.assertLess(off, 0.1)  # of a pixel
+
     def test_calibration(self):
         """The page of a calibration that is run here: targets, posterior and what was foretold."""
         shutil.copy(bounce.CASE, self.folder)

@@ -146,6 +146,32 @@ static void a_circle_has_its_radius(void **state)
     clod_figure_fini(&figure);
 }
 
+/** Behind the last colour the colours come again, with other dashes and other marks. */
+static void a_second_round_looks_different(void **state)
+{
+    (void)state;
+    const double x[2] = {0.0, 1.0};
+    clod_figure figure;
+    clod_text text;
+    clod_figure_init(&figure, "r", "r");
+    clod_figure_add(&figure, "", CLOD_FIGURE_LINE, CLOD_FIGURE_COLOURS + 1, 2, x, x, NULL);
+    clod_figure_add(&figure, "", CLOD_FIGURE_POINTS, CLOD_FIGURE_COLOURS + 1, 2, x, x, NULL);
+    clod_figure_add(&figure, "", CLOD_FIGURE_LINE, CLOD_FIGURE_GREY, 2, x, x, NULL);
+    assert_int_equal(figure.curves[0].colour, 1);
+    assert_int_equal(figure.curves[0].round, 1);
+    assert_int_equal(figure.curves[2].colour, CLOD_FIGURE_GREY);
+    assert_int_equal(figure.curves[2].round, 0);
+    FILE *out = clod_text_open(&text);
+    assert_non_null(out);
+    clod_figure_svg(out, &figure);
+    char *svg = clod_text_close(&text);
+    assert_non_null(strstr(svg, "stroke-dasharray=\"7 3 2 3\""));
+    assert_null(strstr(svg, "<circle"));
+    assert_non_null(strstr(svg, "m-4 -4h8v8h-8z\" fill=\"#d55e00\""));
+    clod_memory_free(svg);
+    clod_figure_fini(&figure);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -154,6 +180,7 @@ int main(void)
         cmocka_unit_test(ticks_are_round_and_hold_all_values),
         cmocka_unit_test(equal_scales_are_equal),
         cmocka_unit_test(a_circle_has_its_radius),
+        cmocka_unit_test(a_second_round_looks_different),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

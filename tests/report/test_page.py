@@ -364,7 +364,7 @@ class Report(clod.Case):
                                 (["report", "lab.csv"], "lab.csv is a file, not the results folder of a run. Name a "
                                  "folder, e.g. run/first."),
                                 (["report", "design.json"], "design.json is a file, not the results folder of a run. "
-                                 "Name a folder, e.g. run/first; clod hopper -o draws the chart of a design itself."),
+                                 "Name a folder, e.g. run/first; clod hopper -o writes the page of a design itself."),
                                 (["compare", "run", "lab.csv"], "lab.csv is a file, not"),
                                 (["compare", "run", "fitted"], "fitted is the results folder of a calibration, not of a "
                                  "run: clod report makes a page of it; clod compare takes runs"),

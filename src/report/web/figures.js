@@ -2,7 +2,10 @@
 
 import Plotly from "plotly.js-basic-dist-min";
 
-const DASH = {line: "solid", dashed: "dash", dotted: "dot"};
+const DASH = {dashed: "dash", dotted: "dot", dashdot: "dashdot"};
+// when the colours come again, lines have other dashes and points other marks
+const LINE = ["solid", "dashdot", "longdash", "longdashdot"];
+const MARK = ["circle", "square", "diamond", "triangle-up"];
 
 /** A text that plotly shows as it is: it reads some HTML in names and titles. */
 function plain(text) {
@@ -23,9 +26,9 @@ function traceOf(figure, curve) {
     connectgaps: false,
   };
   if (marks) {
-    trace.marker = {color: curve.style === "hollow" ? "#ffffff" : curve.colour, size: 9, line: {color: curve.colour, width: 2}};
+    trace.marker = {symbol: MARK[curve.round], color: curve.style === "hollow" ? "#ffffff" : curve.colour, size: 9, line: {color: curve.colour, width: 2}};
   } else {
-    trace.line = {color: curve.colour, width: 2, dash: DASH[curve.style]};
+    trace.line = {color: curve.colour, width: 2, dash: DASH[curve.style] ?? LINE[curve.round]};
   }
   if (curve.error) {
     trace.error_y = {type: "data", array: times(curve.error, figure.y.factor), color: curve.colour, thickness: 1.5};

@@ -1,0 +1,237 @@
+#include "report/hopper_numbers.h"
+
+#include <math.h>
+
+#include "base/input.h"
+#include "base/memory.h"
+#include "clod/version.h"
+#include "hopper/words.h"
+#include "report/hopper_cells.h"
+#include "report/html.h"
+
+#define MOST_BYTES ((size_t)1 << 22) ///< of a case or a table that the page shows
+
+static const clod_hopper_field HEAD = {
+    "filling_stress_Pa", "vertical stress after filling", "kPa", 1e-3, 1.0, 3, NULL};
+
+static void put_row(FILE *out, const clod_hopper_field *how, const clod_hopper_value *number)
+{
+    fputs("<tr>", out);
+    clod_html_cell(out, "th", how->text);
+    clod_hopper_cells_put(out, how, number->value);
+    clod_hopper_cells_put(out, how, number->low);
+    clod_hopper_cells_put(out, how, number->high);
+    clod_html_cell(out, "td", how->unit);
+    fputs("</tr>\n", out);
+}
+
+static void put_fact(FILE *out, const char *name, const char *text)
+{
+    fputs("<tr>", out);
+    clod_html_cell(out, "th", name);
+    clod_html_cell(out, "td", text);
+    fputs("</tr>\n", out);
+}
+
+static void begin_table(FILE *out, const clod_hopper *design, const char *first)
+{
+    const double tail = 50.0 * (1.0 - design->from.interval.level);
+    fprintf(out,
+            "<div class=\"scroll\"><table class=\"copied\"><thead><tr><th>%s</th><th>value</th>"
+            "<th>%.3g %%</th><th>%.3g %%</th><th>unit</th></tr></thead>\n<tbody>",
+            first, tail, 100.0 - tail);
+}
+
+static void put_numbers(FILE *out, const clod_hopper *design)
+{
+    static const clod_hopper_field PARTICLES[CLOD_HOPPER_SHAPES] = {
+        [CLOD_RADIAL_CONE] = {"", "outlet by particles, 8 times", "mm", 1e3, 1.0, 1, NULL},
+        [CLOD_RADIAL_WEDGE] = {"", "outlet by particles, 4 times", "mm", 1e3, 1.0, 1, NULL}};
+    const double none = (double)NAN;
+    clod_html_section(out, "results", "Numbers");
+    for (int k = 0; k < CLOD_HOPPER_SHAPES; k++) {
+        const clod_hopper_found *found = &design->shape[CLOD_HOPPER_CELLS_SHAPES[k]];
+        begin_table(out, design, clod_hopper_cells_shape(CLOD_HOPPER_CELLS_SHAPES[k]));
+        for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
+            if (n != CLOD_HOPPER_MARGIN || found->planned > 0.0) {
+                put_row(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
+            }
+        }
+        if (found->mechanical > 0.0) {
+            put_row(out, &PARTICLES[CLOD_HOPPER_CELLS_SHAPES[k]],
+                    &(clod_hopper_value){found->mechanical, none, none});
+        }
+        fputs("</tbody></table></div>\n", out);
+    }
+    if (design->solid.phi_t.count > 0) {
+        begin_table(out, design, "Rathole");
+        put_row(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_EMPTYING],
+                &design->rathole[CLOD_HOPPER_EMPTYING]);
+        if (design->silo.diameter > 0.0) {
+            put_row(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_FILLING],
+                    &design->rathole[CLOD_HOPPER_FILLING]);
+            put_row(out, &HEAD, &(clod_hopper_value){design->hole.filling_stress, none, none});
+        }
+        fputs("</tbody></table></div>\n", out);
+    }
+}
+
+/** Where the intervals come from: what the samples came to, and which measurement spreads them. */
+static void put_causes(FILE *out, const clod_hopper *design)
+{
+    static const struct {
+        int curve;
+        clod_hopper_field how;
+    } ROWS[] = {
+        {CLOD_SOLID_STRENGTH, {"", "flow function", "%", 100.0, 1.0, 1, NULL}},
+        {CLOD_SOLID_WALL, {"", "wall friction", "%", 100.0, 1.0, 1, NULL}},
+        {CLOD_SOLID_PHI_E, {"", "effective angle phi_e", "%", 100.0, 1.0, 1, NULL}},
+        {CLOD_SOLID_RHO, {"", "bulk density", "%", 100.0, 1.0, 1, NULL}},
+    };
+    const clod_hopper_interval *interval = &design->from.interval;
+    clod_html_section(out, "interval", "Where the intervals come from");
+    fprintf(out,
+            "<p>%lld samples: each is a design from values drawn within the errors of what was "
+            "measured.</p>\n<ul>",
+            (long long)interval->samples);
+    for (int k = 0; k < CLOD_HOPPER_SHAPES; k++) {
+        char text[CLOD_WORDS_MOST];
+        clod_words_shares(&design->shape[CLOD_HOPPER_CELLS_SHAPES[k]], text);
+        fprintf(out, "<li>%s: ", CLOD_HOPPER_SHAPE_NAMES[CLOD_HOPPER_CELLS_SHAPES[k]]);
+        clod_html_text(out, text);
+        fputs("</li>\n", out);
+    }
+    fputs("</ul>\n<div class=\"scroll\"><table class=\"copied\"><thead><tr><th>share of the "
+          "variance of the critical outlet</th><th>cone</th><th>wedge</th><th>unit</th></tr>"
+          "</thead>\n<tbody>",
+          out);
+    for (size_t k = 0; k < sizeof ROWS / sizeof ROWS[0]; k++) {
+        fprintf(out, "<tr><th>%s</th>", ROWS[k].how.text);
+        for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+            clod_hopper_cells_put(
+                out, &ROWS[k].how,
+                design->shape[CLOD_HOPPER_CELLS_SHAPES[s]].cause[ROWS[k].curve]);
+        }
+        fprintf(out, "<td>%s</td></tr>\n", ROWS[k].how.unit);
+    }
+    fprintf(
+        out,
+        "</tbody></table></div>\n<p class=\"note\">Square of the correlation, over the samples, "
+        "of the outlet with the value of each curve at the critical state; chance alone "
+        "gives about %.2g %%. Measure first what has the largest share.</p>\n",
+        100.0 / (double)interval->samples);
+}
+
+#define DEGREES 57.295779513082323
+
+/** Measured curves; angles are in degrees in JSON, too. */
+static const struct {
+    const char *of;
+    clod_hopper_field how;
+} CURVES[CLOD_SOLID_CURVES] = {
+    [CLOD_SOLID_STRENGTH] = {"f_c over sigma_1", {"", "", "kPa", 1e-3, 1.0, 3, NULL}},
+    [CLOD_SOLID_PHI_E] = {"phi_e over sigma_1", {"", "", "deg", DEGREES, DEGREES, 2, NULL}},
+    [CLOD_SOLID_PHI_T] = {"phi_t over sigma_1", {"", "", "deg", DEGREES, DEGREES, 2, NULL}},
+    [CLOD_SOLID_RHO] = {"rho_b over sigma_1", {"", "", "kg/m3", 1.0, 1.0, 1, NULL}},
+    [CLOD_SOLID_WALL] = {"tau_w over sigma_w", {"", "", "kPa", 1e-3, 1.0, 3, NULL}},
+};
+static const clod_hopper_field ANGLE = {"", "", "deg", DEGREES, DEGREES, 2, NULL};
+
+static void put_point(FILE *out, const char *of, const clod_hopper_field *how,
+                      const clod_curve_point *point)
+{
+    static const clod_hopper_field STRESS = {"", "", "kPa", 1e-3, 1.0, 3, NULL};
+    fprintf(out, "<tr><th>%s</th>", of);
+    clod_hopper_cells_put(out, &STRESS, point->x);
+    clod_hopper_cells_put(out, &STRESS, point->x_error);
+    clod_hopper_cells_put(out, how, point->y);
+    clod_hopper_cells_put(out, how, point->y_error);
+    fprintf(out, "<td>%s</td></tr>\n", how->unit);
+}
+
+static void put_measured(FILE *out, const clod_hopper *design)
+{
+    clod_html_section(out, "measured", "What was measured");
+    fputs("<div class=\"scroll\"><table class=\"copied\"><thead><tr><th>curve</th><th>stress "
+          "[kPa]</th><th>error</th><th>value</th><th>error</th><th>unit</th></tr></thead>\n"
+          "<tbody>",
+          out);
+    for (int c = 0; c < CLOD_SOLID_CURVES; c++) {
+        const clod_curve *curve = &design->solid.curves[c];
+        const clod_hopper_property *value = clod_hopper_cells_value(&design->from, c);
+        if (value != NULL) {
+            const double none = (double)NAN;
+            put_point(
+                out, c == CLOD_SOLID_WALL ? "phi_w" : CLOD_HOPPER_CURVE_KEYS[c],
+                c == CLOD_SOLID_WALL ? &ANGLE : &CURVES[c].how,
+                &(clod_curve_point){
+                    .x = none, .x_error = none, .y = value->value, .y_error = value->error});
+        }
+        for (size_t i = 0; i < curve->count && value == NULL; i++) {
+            put_point(out, CURVES[c].of, &CURVES[c].how, &curve->points[i]);
+        }
+    }
+    fputs("</tbody></table></div>\n", out);
+}
+
+/** A file that the case names: its name among the facts, or its text folded. */
+static void put_file(FILE *out, const char *what, const char *path, bool folded)
+{
+    char *text;
+    size_t length;
+    clod_status none = {CLOD_OK, ""};
+    if (path == NULL) {
+        return;
+    }
+    if (!folded) {
+        put_fact(out, what, path);
+    } else if (clod_input_read_regular(path, MOST_BYTES, &text, &length, &none)) {
+        clod_html_folded(out, path, text);
+        clod_memory_free(text);
+    }
+}
+
+static void put_files(FILE *out, const clod_hopper *design, bool folded)
+{
+    const clod_hopper_case *from = &design->from;
+    put_file(out, "case", design->path, folded);
+    put_file(out, "flow function", from->strength.file, folded);
+    for (size_t k = 0; k < from->strength.test_count; k++) {
+        put_file(out, "shear test", from->strength.tests[k].points, folded);
+    }
+    put_file(out, "wall friction", from->wall.file, folded);
+    put_file(out, "effective friction", from->phi_e.file, folded);
+    put_file(out, "static friction", from->phi_t.file, folded);
+    put_file(out, "bulk density", from->rho.file, folded);
+}
+
+static void put_sources(FILE *out, const clod_hopper *design)
+{
+    const clod_hopper_case *from = &design->from;
+    char text[160];
+    clod_html_section(out, "provenance", "Where this comes from");
+    fputs("<div class=\"scroll\"><table class=\"facts\">", out);
+    put_files(out, design, false);
+    for (size_t k = 0; k < design->override_count; k++) {
+        put_fact(out, "said in place of the case's value", design->overrides[k]);
+    }
+    put_fact(out, "curve of the flow function",
+             from->strength.curve == 0 ? "line through all points" : "from point to point");
+    put_fact(out, "H(theta)", CLOD_HOPPER_ARCH_NAMES[from->arch]);
+    snprintf(text, sizeof text, "%.3g %%, %lld samples, seed %lld",
+             100.0 * from->interval.level, (long long)from->interval.samples,
+             (long long)from->interval.seed);
+    put_fact(out, "intervals", text);
+    put_fact(out, "computed by", clod_version_text());
+    put_fact(out, "equations and their sources", "docs/theory/hopper.md");
+    fputs("</table></div>\n", out);
+    put_files(out, design, true);
+}
+
+void clod_hopper_numbers_put(FILE *out, const clod_hopper *design)
+{
+    put_numbers(out, design);
+    put_causes(out, design);
+    put_measured(out, design);
+    put_sources(out, design);
+}

@@ -1,0 +1,186 @@
+#include "report/hopper_page.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "hopper/words.h"
+#include "report/hopper_cells.h"
+#include "report/hopper_figures.h"
+#include "report/hopper_numbers.h"
+#include "report/html.h"
+
+static void put_card(FILE *out, const clod_hopper_field *how, double value, const char *caption)
+{
+    char text[48];
+    clod_hopper_cells_text(text, how, value);
+    fputs("<div class=\"card\">", out);
+    clod_hopper_cells_begin(out, "b", how, value);
+    fputs(text, out);
+    if (isfinite(value) && (value != 0.0 || how->zero == NULL)) {
+        fprintf(out, " <small>%s</small>", how->unit);
+    }
+    fputs("</b>", out);
+    clod_html_cell(out, "span", caption);
+    fputs("</div>\n", out);
+}
+
+/** "As measured 18.9, within the errors 16.7 to 20.5 deg" */
+static void tell(char text[240], const clod_hopper_field *how, const clod_hopper_value *number)
+{
+    char value[48], low[48], high[48];
+    clod_hopper_cells_text(value, how, number->value);
+    clod_hopper_cells_text(low, how, number->low);
+    clod_hopper_cells_text(high, how, number->high);
+    snprintf(text, 240, "As measured %s, within the errors %s to %s%s%s", value, low, high,
+             how->unit[0] != '\0' ? " " : "", how->unit);
+}
+
+static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_found *found)
+{
+    const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_HALF_ANGLE];
+    const clod_hopper_value *angle = &found->number[CLOD_HOPPER_HALF_ANGLE];
+    char numbers[240], caption[512];
+    if (found->wish.half_angle > 0.0) {
+        tell(numbers, how, &found->number[CLOD_HOPPER_LIMIT]);
+        snprintf(
+            caption, sizeof caption,
+            "half angle that the case asks for, from the vertical. Limit of mass flow in a cone: %s",
+            numbers);
+        put_card(out, how, found->wish.half_angle, caption);
+        return;
+    }
+    tell(numbers, how, angle);
+    const double safe = 50.0 * (1.0 + design->from.interval.level);
+    snprintf(caption, sizeof caption,
+             angle->low > 0.0
+                 ? "half angle to build, at most, from the vertical: right for %.3g %% of the "
+                   "samples. %s"
+                 : "half angle to build: none is right for %.3g %% of the samples. %s",
+             safe, numbers);
+    put_card(out, how, angle->low, caption);
+}
+
+static void put_outlet(FILE *out, const clod_hopper_found *found)
+{
+    const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_OUTLET];
+    const clod_hopper_value *outlet = &found->number[CLOD_HOPPER_OUTLET];
+    const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
+    const double build =
+        isnan(outlet->high) ? outlet->high : fmax(outlet->high, found->mechanical);
+    char numbers[240], particles[96] = "", caption[512];
+    tell(numbers, how, outlet);
+    if (found->mechanical > 0.0) {
+        snprintf(particles, sizeof particles, "; %s times the largest particle: %.1f mm",
+                 cone ? "8" : "4", how->scale * found->mechanical);
+    }
+    snprintf(caption, sizeof caption, "%s to build, at least%s. Critical outlet: %s%s",
+             cone ? "diameter of the outlet" : "width of the slot",
+             found->design.outcome == CLOD_HOPPER_UNPROVEN
+                 ? ", if a chart for wedges shows mass flow"
+                 : "",
+             numbers, particles);
+    put_card(out, how, build, caption);
+}
+
+static void put_margin(FILE *out, const clod_hopper_found *found)
+{
+    const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_MARGIN];
+    const clod_hopper_value *margin = &found->number[CLOD_HOPPER_MARGIN];
+    const double unproven = found->share[CLOD_HOPPER_UNPROVEN];
+    char numbers[240], perhaps[64] = "", caption[512];
+    tell(numbers, how, margin);
+    if (unproven > 0.0) {
+        snprintf(perhaps, sizeof perhaps, "; %.1f %% are perhaps no mass flow",
+                 100.0 * unproven);
+    }
+    snprintf(caption, sizeof caption,
+             "stress over strength of an arch over the outlet asked for, %.1f mm: above 1 it "
+             "breaks. %s; %.1f %% of the samples do not flow%s",
+             1e3 * found->planned, numbers, 100.0 * found->arching, perhaps);
+    put_card(out, how, margin->value, caption);
+}
+
+static void put_shape(FILE *out, const clod_hopper *design, int shape)
+{
+    const clod_hopper_found *found = &design->shape[shape];
+    char text[CLOD_WORDS_MOST];
+    clod_words_verdict(found, text);
+    fprintf(out, "<h3>%s</h3>\n<p class=\"verdict\">", clod_hopper_cells_shape(shape));
+    clod_html_text(out, text);
+    fputs("</p>\n<div class=\"cards\">\n", out);
+    if (found->design.outcome != CLOD_HOPPER_FUNNEL) {
+        put_angle(out, design, found);
+        put_outlet(out, found);
+    }
+    if (found->planned > 0.0) {
+        put_margin(out, found);
+    }
+    fputs("</div>\n", out);
+}
+
+static void put_holes(FILE *out, const clod_hopper *design)
+{
+    char numbers[240], caption[512];
+    if (design->solid.phi_t.count == 0) {
+        return;
+    }
+    fputs("<h3>Rathole, if it is funnel flow</h3>\n<div class=\"cards\">\n", out);
+    tell(numbers, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_EMPTYING],
+         &design->rathole[CLOD_HOPPER_EMPTYING]);
+    snprintf(
+        caption, sizeof caption,
+        "diameter that stays, at least: from the stresses around the hole while it empties. %s",
+        numbers);
+    put_card(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_EMPTYING],
+             design->rathole[CLOD_HOPPER_EMPTYING].value, caption);
+    if (design->silo.diameter > 0.0) {
+        tell(numbers, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_FILLING],
+             &design->rathole[CLOD_HOPPER_FILLING]);
+        snprintf(
+            caption, sizeof caption,
+            "diameter that stays, at most: from the head after filling, %.3f kPa below %.4g m "
+            "of solid in a silo of %.4g m. %s",
+            1e-3 * design->hole.filling_stress, design->silo.height, design->silo.diameter,
+            numbers);
+        put_card(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_FILLING],
+                 design->rathole[CLOD_HOPPER_FILLING].value, caption);
+    }
+    fputs("</div>\n", out);
+}
+
+static void put_warnings(FILE *out, const clod_warning_list *warnings)
+{
+    if (warnings->count == 0) {
+        fputs("<p class=\"good\">No warnings.</p>\n", out);
+        return;
+    }
+    fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>\n", out);
+    for (size_t k = 0; k < warnings->count; k++) {
+        clod_html_cell(out, "li", warnings->text[k]);
+    }
+    fputs("</ul></section>\n", out);
+}
+
+void clod_hopper_page_put(clod_sheet *sheet, const clod_hopper *design)
+{
+    FILE *out = sheet->body;
+    fputs("<header><p class=\"kind\">Hopper</p><h1>", out);
+    clod_html_text(out, clod_hopper_page_title(design));
+    fputs("</h1><p class=\"when\">", out);
+    clod_html_text(out, design->path);
+    fputs("</p></header>\n", out);
+    clod_html_section(out, "decision", "What to build");
+    for (int k = 0; k < CLOD_HOPPER_SHAPES; k++) {
+        put_shape(out, design, CLOD_HOPPER_CELLS_SHAPES[k]);
+    }
+    put_holes(out, design);
+    put_warnings(out, &design->warnings);
+    clod_html_section(out, "figures", "The design, and what was measured");
+    clod_hopper_figures_put(sheet, design);
+    clod_hopper_numbers_put(out, design);
+}
+
+const char *clod_hopper_page_title(const clod_hopper *design)
+{
+    return design->from.title != NULL ? design->from.title : "Hopper";
+}

@@ -1,0 +1,188 @@
+"""The page of a hopper's design: what to build first; every number is that of the design's JSON."""
+
+import json
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import pages
+from pages import clod
+
+# of the page's tables: what JSON calls it, people's unit over JSON's, digits
+ROWS = {"limit of mass flow in a cone": ("limit_deg", 1, 1), "half angle": ("half_angle_deg", 1, 1),
+        "critical outlet": ("outlet_m", 1e3, 1), "flow factor ff": ("flow_factor", 1, 3),
+        "critical sigma_1": ("sigma_1_Pa", 1e-3, 3), "critical strength f_c": ("strength_Pa", 1e-3, 3),
+        "phi_e there": ("phi_e_deg", 1, 1), "wall friction angle there": ("phi_w_deg", 1, 1),
+        "bulk density there": ("rho_b_kg_m3", 1, 0), "H(theta)": ("arch_thickness", 1, 3),
+        "stress over strength": ("arching_margin", 1, 2)}
+CURVES = {"f_c over sigma_1": ("flow_function", "sigma_1_Pa", "f_c_Pa", "f_c", 1e-3, 3),
+          "phi_e over sigma_1": ("phi_e", "sigma_1_Pa", "phi_e_deg", "phi-e", 1, 2),
+          "phi_t over sigma_1": ("phi_t", "sigma_1_Pa", "phi_t_deg", "phi-t", 1, 2),
+          "rho_b over sigma_1": ("rho_b", "sigma_1_Pa", "rho_b_kg_m3", "bulk-density", 1, 1),
+          "tau_w over sigma_w": ("wall", "sigma_w_Pa", "tau_w_Pa", "wall-yield-locus", 1e-3, 3)}
+
+
+class HopperPage(clod.Case):
+
+    def design(self, *more):
+        """The page of the template's design, or of one with other values, and its JSON."""
+        pages.hopper(self.folder, *more)
+        with open(self.path("design.json")) as file:
+            return pages.load(self.path("design.html")), json.load(file)
+
+    def cell(self, told, number, scale, digits):
+        """A cell rounds a number of the JSON, which its title has whole."""
+        title, text = told
+        if number is None:
+            self.assertEqual((title, text), (None, "-"))
+        elif number == "infinite":
+            self.assertEqual((title, text), (None, "infinite"))
+        else:
+            self.assertEqual(float(title), number)
+            self.assertEqual(text, f"{scale * number:.{digits}f}")
+
+    def assert_shape(self, table, found):
+        rows = {row[0][1]: row[1:4] for row in table[1:]}
+        for name, (key, scale, digits) in ROWS.items():
+            self.assertEqual(name in rows, key in found)
+            if name in rows:
+                for told, end in zip(rows[name], ("value", "low", "high")):
+                    self.cell(told, found[key][end], scale, digits)
+        times = next(name for name in rows if name.startswith("outlet by particles"))
+        self.cell(rows[times][0], found["particle_outlet_m"], 1e3, 1)
+
+    def test_numbers_are_those_of_the_design(self):
+        page, found = self.design()
+        tables = pages.titled(page.text)
+        for head, shape in (("Cone, round outlet", "cone"), ("Wedge, slot at least 3 times as long", "wedge")):
+            self.assert_shape(tables[head], found[shape])
+        holes = {row[0][1]: row[1:4] for row in tables["Rathole"][1:]}
+        for name, key in (("diameter, emptying (least)", "emptying_m"), ("diameter, after filling (most)", "filling_m")):
+            for told, end in zip(holes[name], ("value", "low", "high")):
+                self.cell(told, found["rathole"][key][end], 1e3, 1)
+        self.cell(holes["vertical stress after filling"][0], found["rathole"]["filling_stress_Pa"], 1e-3, 3)
+        causes = {row[0][1]: row[1:3] for row in tables["share of the variance of the critical outlet"][1:]}
+        for name, key in (("flow function", "flow_function"), ("wall friction", "wall"),
+                          ("effective angle phi_e", "phi_e"), ("bulk density", "rho_b")):
+            for told, shape in zip(causes[name], ("cone", "wedge")):
+                self.cell(told, found[shape]["outlet_variance_shares"][key], 100, 1)
+        measured = tables["curve"][1:]
+        wanted = [(name, point) for name, of in CURVES.items() for point in found["measured"][of[0]]]
+        self.assertEqual([row[0][1] for row in measured], [name for name, _ in wanted])
+        for row, (name, point) in zip(measured, wanted):
+            _, x, y, _, scale, digits = CURVES[name]
+            for told, key, by, places in ((row[1], x, 1e-3, 3), (row[2], "x_error", 1e-3, 3), (row[3], y, scale, digits),
+                                          (row[4], "y_error", scale, digits)):
+                self.cell(told, point[key], by, places)
+
+    def test_what_to_build_comes_first(self):
+        page, found = self.design()
+        places = [page.text.index(f'id="{name}"') for name in ("decision", "warnings", "figures", "results", "interval",
+                                                               "measured", "provenance")]
+        self.assertEqual(places, sorted(places))
+        self.assertEqual(page.items[:len(found["warnings"])], found["warnings"])
+        cards = pages.cards(page.text)
+        cone, wedge, hole = found["cone"], found["wedge"], found["rathole"]
+        wanted = [(cone["half_angle_deg"]["low"], 1, 1, "deg"), (cone["outlet_m"]["high"], 1e3, 1, "mm"),
+                  (cone["arching_margin"]["value"], 1, 2, ""), (wedge["half_angle_deg"]["low"], 1, 1, "deg"),
+                  (wedge["outlet_m"]["high"], 1e3, 1, "mm"), (hole["emptying_m"]["value"], 1e3, 1, "mm"),
+                  (hole["filling_m"]["value"], 1e3, 1, "mm")]
+        self.assertGreater(cone["outlet_m"]["high"], cone["particle_outlet_m"])
+        self.assertEqual(len(cards), len(wanted))
+        for (title, text, unit, _), (number, scale, digits, of) in zip(cards, wanted):
+            self.cell((title, text), number, scale, digits)
+            self.assertEqual(unit, of)
+        told = [caption for *_, caption in cards]
+        angle, outlet, margin = cone["half_angle_deg"], cone["outlet_m"], cone["arching_margin"]
+        for caption, words in ((told[0], f"right for 95 % of the samples. As measured {angle['value']:.1f}, within the errors "
+                                f"{angle['low']:.1f} to {angle['high']:.1f} deg"),
+                               (told[1], f"As measured {1e3 * outlet['value']:.1f}, within the errors {1e3 * outlet['low']:.1f} "
+                                f"to {1e3 * outlet['high']:.1f} mm; 8 times the largest particle: 96.0 mm"),
+                               (told[2], f"the outlet asked for, 500.0 mm: above 1 it breaks. As measured {margin['value']:.2f}, "
+                                f"within the errors {margin['low']:.2f} to {margin['high']:.2f}; "
+                                f"{100 * cone['planned_outlet_arching_share']:.1f} % of the samples do not flow"),
+                               (told[6], f"{1e-3 * hole['filling_stress_Pa']:.3f} kPa below 8 m of solid in a silo of 3 m")):
+            self.assertIn(words, caption)
+        # particles decide where they need more than cohesion
+        page, found = self.design("--set", "largest_particle=50 mm")
+        self.assertEqual(pages.cards(page.text)[1][:3], ("0.4", "400.0", "mm"))
+
+    def test_figures_have_the_measured_points(self):
+        page, found = self.design()
+        chart = {curve["name"]: curve for curve in page.figures["design-chart"]["curves"] if curve["name"]}
+        points = found["measured"]["flow_function"]
+        shown = [float(x) for x in chart["measured"]["x"]]
+        self.assertEqual(shown, [point["sigma_1_Pa"] for point in points[:len(shown)]])
+        self.assertEqual([float(y) for y in chart["measured"]["y"]], [point["f_c_Pa"] for point in points[:len(shown)]])
+        self.assertTrue(1 < len(shown) < len(points))
+        self.assertIn(f"{len(shown)} of {len(points)} measured points lie within this figure", page.text)
+        for shape in ("cone", "wedge"):
+            factor = found[shape]["flow_factor"]["value"]
+            ray = chart[f"{shape}, ff = {factor:.3f}"]
+            self.assertAlmostEqual(float(ray["x"][1]) / float(ray["y"][1]), factor, places=9)
+            state = chart[f"critical state, {shape}"]
+            self.assertEqual([float(state[axis][0]) for axis in "xy"],
+                             [found[shape][key]["value"] for key in ("sigma_1_Pa", "strength_Pa")])
+        for of, x, y, name, _, _ in CURVES.values():
+            name = "flow-function" if of == "flow_function" else name
+            curve, = [curve for curve in page.figures[name]["curves"] if curve["name"] == "measured"]
+            points = found["measured"][of]
+            factor = float(page.figures[name]["y"]["factor"]) if y.endswith("_deg") else 1.0
+            self.assertEqual([float(value) for value in curve["x"]], [point[x] for point in points])
+            for value, error, point in zip(curve["y"], curve["error"], points):
+                self.assertAlmostEqual(factor * float(value), point[y], delta=1e-12 * point[y])
+                self.assertAlmostEqual(factor * float(error), point["y_error"], delta=1e-12 * point[y])
+        for curve in page.figures["outlets"]["curves"]:
+            if curve["name"]:
+                self.assertEqual([float(x) for x in curve["x"]], found[curve["name"]]["outlet_percentiles_m"])
+                self.assertEqual([round(100 * float(y)) for y in curve["y"]], list(range(101)))
+
+    def test_other_outcomes(self):
+        """Values in place of tables, no rathole, funnel flow, and a wedge that is not known to be mass flow."""
+        with open(self.path("case.yaml"), "w") as file:
+            file.write("flow_function: {file: flow.csv}\nwall_friction: {angle: 20 deg, error: 1 deg}\n"
+                       "bulk_density: {value: 1250 kg/m3}\nwedge: {half_angle: 60 deg, outlet: 1 m}\n")
+        with open(self.path("flow.csv"), "w") as file:
+            file.write("sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg]\n2,1.4,0.05,48\n4,1.9,0.05,47\n8,2.9,0.08,46\n")
+        page, found = self.design("case.yaml")
+        wedge = found["wedge"]
+        self.assertEqual(wedge["outcome"], "mass_flow_unknown")
+        self.assertNotIn("Rathole", page.words)
+        self.assertIn("Not known to be mass flow", page.text[:page.text.index('id="warnings"')])
+        self.assertTrue(any(item.startswith("Wedge: the half angle of 60.0 deg is") for item in page.items))
+        cards = pages.cards(page.text)
+        self.assertEqual((float(cards[2][0]), *cards[2][1:3]), (wedge["half_angle_deg"]["value"], "60.0", "deg"))
+        self.assertIn("half angle that the case asks for", cards[2][3])
+        self.assertIn("if a chart for wedges shows mass flow", cards[3][3])
+        self.assertRegex(cards[4][3], r"do not flow; [0-9.]+ % are perhaps no mass flow$")
+        rows = pages.titled(page.text)["curve"][-2:]
+        self.assertEqual([[text for _, text in row] for row in rows],
+                         [["rho_b", "-", "-", "1250.0", "0.0", "kg/m3"], ["phi_w", "-", "-", "20.00", "1.00", "deg"]])
+        for name in ("bulk-density", "wall-yield-locus"):
+            self.assertNotIn("measured", [curve["name"] for curve in page.figures[name]["curves"]])
+        page, found = self.design("case.yaml", "--set", "wall_friction.angle=60 deg", "--set", "wedge.half_angle=auto")
+        self.assertEqual(found["cone"]["outcome"], "funnel_flow")
+        self.assertEqual([caption for *_, caption in pages.cards(page.text) if "to build" in caption], [])
+        self.assertIn("Funnel flow: the solid does not slide along this wall.", page.text)
+        said = [row[1] for row in page.tables[-1] if row[0] == "said in place of the case's value"]
+        self.assertEqual(said, ["wall_friction.angle=60 deg", "wedge.half_angle=auto", "interval.samples=100"])
+
+    def test_nothing_from_outside_and_names_are_text(self):
+        with open(clod.source("cases/hopper-design/hopper.yaml")) as file:
+            case = file.read().replace("title: Cohesive solid on steel", "title: A <b> & solid")
+        pages.hopper(self.folder)
+        with open(self.path("other.yaml"), "w") as file:
+            file.write(case)
+        page, _ = self.design("other.yaml")
+        self.assertIn("<h1>A &lt;b&gt; &amp; solid</h1>", page.text)
+        markup = re.sub(r"<script>.*?</script>", "", page.text, flags=re.S)
+        self.assertIsNone(re.search(r"\b(src|href)\s*=|<link|@import|url\(\s*[\"']?http", markup))
+        self.assertIn(case, page.words)  # the case as it is
+        self.assertEqual(page.row("case")[1], "other.yaml")
+        files = sorted(name for name in os.listdir(self.folder) if name.startswith("design-"))
+        self.assertEqual(files, sorted(f"design-{name}.svg" for name in page.figures))
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
