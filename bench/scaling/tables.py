@@ -104,7 +104,7 @@ def job(machine):
     """What happens beside the steps."""
     many = cases(machine)
     c = many[0]
-    out = head(["grains", "cores", "GB a rank, while made", "of its node", "s to make and deal",
+    out = head(["grains", "cores", "GB a rank, while made", "of its node", "s to make (in layers) and deal",
                 "s a checkpoint", "of the run, one an hour, %"])
     for grains in GRAINS:
         for ranks in RANKS:
