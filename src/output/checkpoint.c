@@ -11,6 +11,7 @@
 #include "output/checkpoint_contacts.h"
 #include "output/checkpoint_file.h"
 #include "output/checkpoint_give.h"
+#include "output/checkpoint_rows.h"
 #include "output/checkpoint_walls.h"
 #include "output/folder_files.h"
 #include "output/hdf.h"
@@ -32,33 +33,6 @@ static void put_columns(clod_hdf *hdf, const clod_state *state)
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_list(&columns, state);
     clod_checkpoint_columns_put(&columns, hdf);
-}
-
-/** All grains, slab by slab. */
-static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_bed_source *bed,
-                       size_t total, clod_status *status)
-{
-    clod_checkpoint_columns columns;
-    clod_bed_slab slab = {.rows = state};
-    size_t first = 0;
-    bool good = true;
-    do {
-        const size_t count = total - first < CLOD_HDF_SLAB ? total - first : CLOD_HDF_SLAB;
-        good = count == 0 || bed->grains(bed->context, first, count, &slab, status);
-        if (good) {
-            clod_checkpoint_columns_of_grains(&columns, slab.rows);
-            for (size_t c = 0; first == 0 && c < columns.count; c++) {
-                clod_hdf_column column = columns.column[c];
-                column.rows = total;
-                clod_hdf_make(hdf, &column);
-            }
-            for (size_t c = 0; count > 0 && c < columns.count; c++) {
-                clod_hdf_put_rows(hdf, &columns.column[c], first);
-            }
-        }
-        first += count;
-    } while (good && first < total);
-    return good;
 }
 
 static void put_attributes(clod_hdf *hdf, const clod_state *state)
@@ -93,17 +67,43 @@ static void put_case(clod_hdf *hdf, const char *case_text)
     }
 }
 
-/** Everything that changes in a run. */
+/** Everything that changes in a run but the rows of grains and contacts, which get their places; the bed has
+ *  begun. */
 static bool put_state(clod_hdf *hdf, const clod_state *state, const clod_bed_source *bed,
-                      clod_status *status)
+                      clod_bed_layout *layout, clod_status *status)
 {
-    clod_bed_counts all;
     put_attributes(hdf, state);
     put_columns(hdf, state);
-    const bool good = bed->begin(bed->context, (clod_bed_wants){0}, &all, status) &&
-                      put_grains(hdf, state, bed, all.grains, status) &&
-                      clod_checkpoint_walls_put(hdf, &state->walls, status) &&
-                      clod_checkpoint_contacts_put(hdf, bed, &all, status);
+    return clod_checkpoint_rows_reserve(hdf, state, bed, layout, status) &&
+           clod_checkpoint_walls_put(hdf, &state->walls, status);
+}
+
+/** What a checkpoint has beside a state. */
+typedef struct beside {
+    const clod_checkpoint_part *parts;
+    size_t part_count;
+    const char *case_text;
+} beside;
+
+/** Fill a draft with all but its head. */
+static bool fill(const clod_folder_draft *draft, const clod_state *state,
+                 const clod_bed_source *bed, const beside *more, uint64_t *bytes,
+                 clod_status *status)
+{
+    clod_bed_layout layout = {.grain_columns = 0};
+    const clod_hdf_place place = {draft->folder, draft->name, draft->descriptor,
+                                  CLOD_CHECKPOINT_HEAD_BYTES};
+    clod_hdf *hdf = clod_hdf_create(&place, CLOD_HDF_EXACT, status);
+    if (hdf == NULL) {
+        return false;
+    }
+    bool good = bed->begin(bed->context, (clod_bed_wants){0}, &layout.all, status) &&
+                put_state(hdf, state, bed, &layout, status);
+    put_parts(hdf, more->parts, more->part_count);
+    put_case(hdf, more->case_text);
+    clod_status finishing; // an error before it is the one to tell
+    good = clod_hdf_finish(&hdf, bytes, good ? status : &finishing) && good;
+    good = good && clod_checkpoint_rows_write(draft, bed, &layout, status);
     bed->end(bed->context);
     return good;
 }
@@ -113,7 +113,10 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
                            size_t part_count, const char *case_text, clod_status *status)
 {
     clod_checkpoint_file files[2];
-    const bool found = clod_checkpoint_file_find(files, folder, stem, false, status);
+    clod_bed_view view;
+    const clod_bed_source own = clod_bed_source_of(&view, state, NULL);
+    bed = bed != NULL ? bed : &own;
+    const bool found = clod_checkpoint_file_find(files, folder, stem, false, bed, status);
     clod_checkpoint_file_release(files);
     if (!found) {
         return false;
@@ -131,20 +134,9 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
         .time = state->time,
         .case_hash = clod_checkpoint_file_case_hash(case_text),
     };
-    const clod_hdf_place place = {folder, draft.name, draft.descriptor,
-                                  CLOD_CHECKPOINT_HEAD_BYTES};
-    clod_bed_view view;
-    const clod_bed_source own = clod_bed_source_of(&view, state, NULL);
-    clod_hdf *hdf = clod_hdf_create(&place, CLOD_HDF_EXACT, status);
-    bool good = hdf != NULL;
-    if (good) {
-        good = put_state(hdf, state, bed != NULL ? bed : &own, status);
-        put_parts(hdf, parts, part_count);
-        put_case(hdf, case_text);
-        clod_status finishing; // an error before it is the one to tell
-        good = clod_hdf_finish(&hdf, &head.bytes, good ? status : &finishing) && good;
-    }
-    good = good && clod_checkpoint_file_seal(&draft, &head, status);
+    const beside more = {parts, part_count, case_text};
+    const bool good = fill(&draft, state, bed, &more, &head.bytes, status) &&
+                      clod_checkpoint_file_seal(&draft, &head, bed, status);
     return clod_folder_draft_end(&draft, good, status);
 }
 
@@ -332,7 +324,7 @@ bool clod_checkpoint_get(const clod_folder *folder, const char *stem, clod_state
         notice[0] = '\0';
     }
     clod_checkpoint_file files[2];
-    if (!clod_checkpoint_file_find(files, folder, stem, true, status)) {
+    if (!clod_checkpoint_file_find(files, folder, stem, true, NULL, status)) {
         clod_checkpoint_file_release(files);
         return false;
     }

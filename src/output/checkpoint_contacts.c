@@ -1,21 +1,11 @@
 #include "output/checkpoint_contacts.h"
 
-#include "base/assert.h"
 #include "base/memory.h"
 #include "output/checkpoint_columns.h"
 #include "state/ids.h"
 
-/** Contacts on their way. */
-typedef struct slab {
-    clod_contact *contacts;  ///< [CLOD_HDF_SLAB] at most
-    uint64_t (*partners)[2]; ///< of each: ids of grains, or of a grain and the wall's number
-} slab;
-
-static void slab_fini(slab *self)
-{
-    clod_memory_free(self->contacts);
-    clod_memory_free(self->partners);
-}
+/** Partners of some contacts: ids of grains, or of a grain and the wall's number. */
+typedef uint64_t (*partners_of)[2];
 
 static bool fail_without_memory(size_t contacts, clod_status *status)
 {
@@ -23,62 +13,9 @@ static bool fail_without_memory(size_t contacts, clod_status *status)
                             "No memory for the %zu contacts of a checkpoint.", contacts);
 }
 
-/** Room for this many rows of the partners, and of the contacts when they are on their way too.
- */
-static bool slab_init(slab *self, size_t rows, bool contacts)
-{
-    self->partners = clod_memory_alloc(rows + 1, sizeof *self->partners);
-    self->contacts = contacts ? clod_memory_alloc(rows + 1, sizeof *self->contacts) : NULL;
-    return self->partners != NULL && (self->contacts != NULL || !contacts);
-}
-
 static size_t slab_rows(size_t total)
 {
     return total < CLOD_HDF_SLAB ? total : CLOD_HDF_SLAB;
-}
-
-/** Datasets for so many contacts. */
-static void make_columns(clod_hdf *hdf, const slab *self, size_t total)
-{
-    clod_checkpoint_columns columns;
-    clod_checkpoint_columns_of_contacts(&columns, self->contacts,
-                                        (const uint64_t(*)[2])self->partners, total);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_make(hdf, &columns.column[c]);
-    }
-}
-
-static void put_slab(clod_hdf *hdf, const slab *self, size_t first, size_t count)
-{
-    clod_checkpoint_columns columns;
-    clod_checkpoint_columns_of_contacts(&columns, self->contacts,
-                                        (const uint64_t(*)[2])self->partners, count);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_put_rows(hdf, &columns.column[c], first);
-    }
-}
-
-bool clod_checkpoint_contacts_put(clod_hdf *hdf, const clod_bed_source *bed,
-                                  const clod_bed_counts *all, clod_status *status)
-{
-    const clod_hdf_column wall_count = clod_checkpoint_columns_wall_count(&all->walls);
-    clod_hdf_put(hdf, &wall_count);
-    const size_t total = all->pairs + all->walls;
-    slab some;
-    bool good = slab_init(&some, slab_rows(total), true) || fail_without_memory(total, status);
-    if (good) {
-        make_columns(hdf, &some, total);
-    }
-    for (size_t first = 0, count = 0; good && first < total; first += count) {
-        count = slab_rows(total);
-        good = bed->contacts(bed->context, &count, some.contacts, some.partners, NULL, status);
-        if (good) {
-            CLOD_ASSERT(count > 0);
-            put_slab(hdf, &some, first, count);
-        }
-    }
-    slab_fini(&some);
-    return good;
 }
 
 /** Rows of a contact from its partners; false: they are not there. */
@@ -106,20 +43,20 @@ static bool find_contact(const clod_state *state, const clod_ids *ids, size_t c,
 }
 
 /** Read a slab of contacts from row `first` on, and find their rows. */
-static bool get_slab(clod_hdf *hdf, clod_state *state, const slab *self, const clod_ids *ids,
-                     size_t first)
+static bool get_slab(clod_hdf *hdf, clod_state *state, partners_of partners,
+                     const clod_ids *ids, size_t first)
 {
     const size_t total = state->contact_count;
     const size_t count = slab_rows(total - first);
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_of_contacts(&columns, &state->contacts[first],
-                                        (const uint64_t(*)[2])self->partners, count);
+                                        (const uint64_t(*)[2])partners, count);
     for (size_t c = 0; c < columns.count; c++) {
         clod_hdf_get_rows(hdf, &columns.column[c], first, total);
     }
     bool fit = true;
     for (size_t c = 0; fit && c < count && !clod_hdf_has_failed(hdf); c++) {
-        fit = find_contact(state, ids, first + c, self->partners[c]);
+        fit = find_contact(state, ids, first + c, partners[c]);
     }
     return fit;
 }
@@ -130,24 +67,24 @@ bool clod_checkpoint_contacts_get(clod_hdf *hdf, clod_state *state, const char *
     const clod_hdf_column wall_count =
         clod_checkpoint_columns_wall_count(&state->wall_contact_count);
     clod_hdf_get(hdf, &wall_count);
-    slab some;
     clod_ids ids;
-    if (!slab_init(&some, slab_rows(state->contact_count), false)) {
-        slab_fini(&some);
+    partners_of partners =
+        clod_memory_alloc(slab_rows(state->contact_count) + 1, sizeof *partners);
+    if (partners == NULL) {
         return fail_without_memory(state->contact_count, status);
     }
     if (!clod_ids_init(&ids, state->grains.id, state->grains.count, status)) {
-        slab_fini(&some);
+        clod_memory_free(partners);
         return false;
     }
     const bool failed = clod_hdf_has_failed(hdf); // then there are no ids to compare with
     bool fit = failed || (state->wall_contact_count <= state->contact_count &&
                           clod_ids_are_different(&ids));
     for (size_t c = 0; fit && c < state->contact_count; c += CLOD_HDF_SLAB) {
-        fit = get_slab(hdf, state, &some, &ids, c);
+        fit = get_slab(hdf, state, partners, &ids, c);
     }
     clod_ids_fini(&ids);
-    slab_fini(&some);
+    clod_memory_free(partners);
     return fit || clod_status_fail(status, CLOD_FAILED,
                                    "%s holds two grains of one id, or contacts of grains or "
                                    "walls that it does not have. Start over with --fresh.",

@@ -4,13 +4,13 @@
 #include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/memory.h"
 #include "output/checkpoint.h"
 #include "output/file.h"
-
-#define READ_BYTES 65536 // of a file at a time; a multiple of the hash's words
 
 uint64_t clod_checkpoint_file_case_hash(const char *case_text)
 {
@@ -18,26 +18,71 @@ uint64_t clod_checkpoint_file_case_hash(const char *case_text)
     return clod_file_hash(CLOD_FILE_HASH_START, text, strlen(text));
 }
 
-/** Continue a hash over so many bytes behind the head; 0 or an errno value. */
-static int hash_file(uint64_t *hash, int descriptor, uint64_t bytes)
+/** What of an open file several processes look for; false: it cannot be told. */
+static bool name_file(const clod_folder *folder, const char *part, const char *name,
+                      int descriptor, clod_bed_file *file)
 {
-    char some[READ_BYTES];
-    for (uint64_t at = 0; at < bytes;) {
-        const size_t take = bytes - at < sizeof some ? (size_t)(bytes - at) : sizeof some;
-        const int error =
-            clod_file_read_at(descriptor, CLOD_CHECKPOINT_HEAD_BYTES + at, some, take);
-        if (error != 0) {
-            return error;
-        }
-        *hash = clod_file_hash_words(*hash, some, take);
-        at += take;
+    struct stat info;
+    char *real = realpath(folder->path, NULL);
+    *file = (clod_bed_file){.number = 0};
+    const bool good =
+        real != NULL && fstat(descriptor, &info) == 0 &&
+        (size_t)snprintf(file->path, sizeof file->path, "%s/%s", real, part) <
+            sizeof file->path &&
+        (size_t)snprintf(file->folder, sizeof file->folder, "%s", folder->path) <
+            sizeof file->folder &&
+        (size_t)snprintf(file->name, sizeof file->name, "%s", name) < sizeof file->name;
+    if (good) {
+        file->number = (uint64_t)info.st_ino;
+        file->size = (uint64_t)info.st_size;
+        file->start = CLOD_CHECKPOINT_HEAD_BYTES;
     }
-    *hash = clod_file_hash_end(*hash, bytes);
-    return 0;
+    free(real); // the C library's own
+    return good;
+}
+
+bool clod_checkpoint_file_name(const clod_folder_draft *draft, clod_bed_file *file)
+{
+    return name_file(draft->folder, draft->part, draft->name, draft->descriptor, file);
+}
+
+/** Hashes of all blocks behind the head, by all who help, or here; 0 or an errno value. */
+static int hash_blocks(const clod_checkpoint_reader *reader, int descriptor, uint64_t bytes,
+                       uint64_t *block)
+{
+    const clod_bed_source *bed = reader->bed;
+    clod_bed_file file;
+    if (bed != NULL && bed->hash != NULL &&
+        name_file(reader->folder, reader->part, reader->part, descriptor, &file) &&
+        file.size == file.start + bytes && bed->hash(bed->context, &file, block)) {
+        return 0;
+    }
+    int error = 0;
+    for (uint64_t k = 0; error == 0 && k < clod_file_blocks(bytes); k++) {
+        error =
+            clod_file_hash_block(descriptor, CLOD_CHECKPOINT_HEAD_BYTES, bytes, k, &block[k]);
+    }
+    return error;
+}
+
+/** Continue a hash over the hashes of so many bytes behind the head; 0 or an errno value. */
+static int hash_file(const clod_checkpoint_reader *reader, uint64_t *hash, int descriptor,
+                     uint64_t bytes)
+{
+    const size_t blocks = (size_t)clod_file_blocks(bytes);
+    uint64_t *block = clod_memory_alloc(blocks + 1, sizeof *block);
+    const int error = block != NULL ? hash_blocks(reader, descriptor, bytes, block) : ENOMEM;
+    if (error == 0) {
+        *hash = clod_file_hash_words(*hash, block, blocks * sizeof *block);
+        *hash = clod_file_hash_end(*hash, bytes);
+    }
+    clod_memory_free(block);
+    return error;
 }
 
 int clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
-                                    const clod_checkpoint_head *head, int descriptor)
+                                    const clod_checkpoint_head *head, int descriptor,
+                                    const clod_checkpoint_reader *reader)
 {
     memset(text, 0, CLOD_CHECKPOINT_HEAD_BYTES);
     const int length = snprintf(text, CLOD_CHECKPOINT_HEAD_BYTES,
@@ -47,17 +92,18 @@ int clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
                                 CLOD_CHECKPOINT_HEAD_BYTES, head->format, head->sequence,
                                 head->step, head->time, head->case_hash, head->bytes);
     uint64_t hash = clod_file_hash(CLOD_FILE_HASH_START, text, (size_t)length);
-    const int error = hash_file(&hash, descriptor, head->bytes);
+    const int error = hash_file(reader, &hash, descriptor, head->bytes);
     snprintf(text + length, CLOD_CHECKPOINT_HEAD_BYTES - (size_t)length,
              "hash %016" PRIx64 "\n", hash);
     return error;
 }
 
 bool clod_checkpoint_file_seal(const clod_folder_draft *draft, const clod_checkpoint_head *head,
-                               clod_status *status)
+                               const clod_bed_source *bed, clod_status *status)
 {
     char text[CLOD_CHECKPOINT_HEAD_BYTES];
-    int error = clod_checkpoint_file_print_head(text, head, draft->descriptor);
+    const clod_checkpoint_reader reader = {draft->folder, draft->part, bed};
+    int error = clod_checkpoint_file_print_head(text, head, draft->descriptor, &reader);
     if (error == 0) {
         error = clod_file_write_at(draft->descriptor, 0, text, sizeof text);
     }
@@ -120,12 +166,13 @@ static int open_head(clod_checkpoint_file *file, const clod_folder *folder)
 }
 
 /** Read a file with a good head through; else its `reason` says why it is not whole. 0 or an errno value. */
-static int check_whole(clod_checkpoint_file *file)
+static int check_whole(clod_checkpoint_file *file, const clod_checkpoint_reader *reader)
 {
     char text[CLOD_CHECKPOINT_HEAD_BYTES], again[CLOD_CHECKPOINT_HEAD_BYTES];
     int error = clod_file_read_at(file->descriptor, 0, text, sizeof text);
-    error = error == 0 ? clod_checkpoint_file_print_head(again, &file->head, file->descriptor)
-                       : error;
+    if (error == 0) {
+        error = clod_checkpoint_file_print_head(again, &file->head, file->descriptor, reader);
+    }
     file->whole = error == 0 && memcmp(again, text, sizeof text) == 0;
     if (error == 0 && !file->whole) {
         snprintf(file->reason, sizeof file->reason,
@@ -190,7 +237,8 @@ static bool open_both(clod_checkpoint_file files[2], const clod_folder *folder,
 }
 
 bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder *folder,
-                               const char *stem, bool both, clod_status *status)
+                               const char *stem, bool both, const clod_bed_source *bed,
+                               clod_status *status)
 {
     if (!open_both(files, folder, stem, status)) {
         return false;
@@ -200,7 +248,8 @@ bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder 
         clod_checkpoint_file *file = &files[k == 0 ? first : 1 - first];
         const bool wanted = k == 0 || both || !files[first].whole;
         const bool good = file->descriptor >= 0 && file->reason[0] == '\0';
-        const int error = good && wanted ? check_whole(file) : 0;
+        const clod_checkpoint_reader reader = {folder, file->name, bed};
+        const int error = good && wanted ? check_whole(file, &reader) : 0;
         if (!file->whole) {
             close_file(file);
         }

@@ -265,3 +265,30 @@ uint64_t clod_file_hash(uint64_t hash, const void *bytes, size_t size)
 {
     return clod_file_hash_end(clod_file_hash_words(hash, bytes, size), size);
 }
+
+#define READ_BYTES 65536 // of a file at a time; a multiple of the hash's words
+
+uint64_t clod_file_blocks(uint64_t bytes)
+{
+    return bytes / CLOD_FILE_BLOCK + (bytes % CLOD_FILE_BLOCK > 0);
+}
+
+int clod_file_hash_block(int descriptor, uint64_t start, uint64_t bytes, uint64_t number,
+                         uint64_t *hash)
+{
+    char some[READ_BYTES];
+    const uint64_t first = number * CLOD_FILE_BLOCK, left = bytes - first;
+    const uint64_t size = left < CLOD_FILE_BLOCK ? left : CLOD_FILE_BLOCK;
+    *hash = CLOD_FILE_HASH_START;
+    for (uint64_t at = 0; at < size;) {
+        const size_t take = size - at < sizeof some ? (size_t)(size - at) : sizeof some;
+        const int error = clod_file_read_at(descriptor, start + first + at, some, take);
+        if (error != 0) {
+            return error;
+        }
+        *hash = clod_file_hash_words(*hash, some, take);
+        at += take;
+    }
+    *hash = clod_file_hash_end(*hash, size);
+    return 0;
+}

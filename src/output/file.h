@@ -85,3 +85,13 @@ uint64_t clod_file_hash(uint64_t hash, const void *bytes, size_t size);
  */
 uint64_t clod_file_hash_words(uint64_t hash, const void *bytes, size_t size);
 uint64_t clod_file_hash_end(uint64_t hash, uint64_t size);
+
+/** Bytes of a block: blocks of a file are hashed by anybody, in any order. */
+#define CLOD_FILE_BLOCK ((uint64_t)1 << 20)
+
+/** Blocks of so many bytes; the last may be shorter. */
+uint64_t clod_file_blocks(uint64_t bytes);
+
+/** Hash of block `number` of the `bytes` from byte `start` of an open file on; 0 or an errno value. */
+int clod_file_hash_block(int descriptor, uint64_t start, uint64_t bytes, uint64_t number,
+                         uint64_t *hash);

@@ -69,6 +69,21 @@ void clod_hdf_group(clod_hdf *self, const char *name);
 /** Write a column. */
 void clod_hdf_put(clod_hdf *self, const clod_hdf_column *column);
 
+/**
+ * Have room for a column that is written past HDF5, with clod_hdf_pack, when this file is closed: numbers in
+ * one piece, of an exact file. Its data are not looked at.
+ *
+ * @param place  [out] its first byte in the file, that of HDF5's first byte being 0; without rows 0
+ */
+void clod_hdf_reserve(clod_hdf *self, const clod_hdf_column *column, uint64_t *place);
+
+/** Bytes of a row in an exact file. */
+size_t clod_hdf_row_size(const clod_hdf_column *column);
+
+/** Rows [at, at + count) of a column as they lie in an exact file; all that clod runs on has their byte
+ *  order. */
+void clod_hdf_pack(const clod_hdf_column *column, size_t at, size_t count, char *packed);
+
 /** Make room for a column whose rows are written later; its data are not looked at. */
 void clod_hdf_make(clod_hdf *self, const clod_hdf_column *column);
 

@@ -56,7 +56,7 @@ static int column_dimensions(const clod_hdf_column *column, hsize_t dimensions[2
     return column->components == 1 || column->type == CLOD_HDF_TEXT ? 1 : 2;
 }
 
-static size_t row_size(const clod_hdf_column *column)
+size_t clod_hdf_row_size(const clod_hdf_column *column)
 {
     return column->components * type_size(column->type);
 }
@@ -71,7 +71,8 @@ static hid_t dataset_properties(const clod_hdf *self, const clod_hdf_column *col
     const int rank = column_dimensions(column, chunk);
     const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_obj_track_times(properties, false); // the same data give the same bytes
-    if (self->storage == CLOD_HDF_EXACT && column->rows * row_size(column) <= COMPACT) {
+    if (self->storage == CLOD_HDF_EXACT &&
+        column->rows * clod_hdf_row_size(column) <= COMPACT) {
         H5Pset_layout(properties, H5D_COMPACT);
     } else if (column->rows > 0) {
         chunk[0] = chunk[0] < CLOD_HDF_SLAB ? chunk[0] : CLOD_HDF_SLAB;
@@ -115,21 +116,24 @@ static bool move_packed(const slab *self, size_t at, size_t count, bool write)
     return good;
 }
 
+void clod_hdf_pack(const clod_hdf_column *column, size_t at, size_t count, char *packed)
+{
+    const size_t row = clod_hdf_row_size(column);
+    for (size_t r = 0; r < count; r++) {
+        memcpy(packed + r * row, (const char *)column->data + (at + r) * column->stride, row);
+    }
+}
+
 static bool write_slab(const slab *self, size_t at, size_t count)
 {
-    const clod_hdf_column *column = self->column;
-    const size_t row = row_size(column);
-    for (size_t r = 0; r < count; r++) {
-        memcpy(self->packed + r * row, (const char *)column->data + (at + r) * column->stride,
-               row);
-    }
+    clod_hdf_pack(self->column, at, count, self->packed);
     return move_packed(self, at, count, true);
 }
 
 static bool read_slab(const slab *self, size_t at, size_t count)
 {
     const clod_hdf_column *column = self->column;
-    const size_t row = row_size(column);
+    const size_t row = clod_hdf_row_size(column);
     if (!move_packed(self, at, count, false)) {
         return false;
     }
@@ -147,7 +151,7 @@ static bool move_rows(clod_hdf *self, hid_t dataset, const clod_hdf_column *colu
 {
     const size_t rows = column->rows;
     const size_t most = rows < CLOD_HDF_SLAB ? rows : CLOD_HDF_SLAB;
-    char *packed = clod_hdf_take_memory(self, most, row_size(column));
+    char *packed = clod_hdf_take_memory(self, most, clod_hdf_row_size(column));
     const slab all = {dataset, memory_type(column), column, packed, first};
     bool good = packed != NULL;
     for (size_t at = 0; good && at < rows; at += most) {
@@ -159,14 +163,24 @@ static bool move_rows(clod_hdf *self, hid_t dataset, const clod_hdf_column *colu
     return good;
 }
 
-/** Owned dataset (H5Dclose) for a column, without data. */
-static hid_t make_dataset(clod_hdf *self, const clod_hdf_column *column)
+/** Owned creation properties (H5Pclose) of a dataset in one piece, which has its place at once. */
+static hid_t reserved_properties(void)
+{
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_obj_track_times(properties, false);
+    H5Pset_layout(properties, H5D_CONTIGUOUS);
+    H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+    return properties;
+}
+
+/** Owned dataset (H5Dclose) for a column, without data; `properties` are closed. */
+static hid_t make_dataset_with(clod_hdf *self, const clod_hdf_column *column, hid_t properties)
 {
     hsize_t dimensions[2];
     const int rank = column_dimensions(column, dimensions);
     const hid_t space = H5Screate_simple(rank, dimensions, NULL);
     const hid_t in_file = file_type(self, column);
-    const hid_t properties = dataset_properties(self, column);
     const hid_t links = clod_hdf_links();
     const hid_t dataset =
         H5Dcreate2(self->file, column->name, in_file, space, links, properties, H5P_DEFAULT);
@@ -175,6 +189,11 @@ static hid_t make_dataset(clod_hdf *self, const clod_hdf_column *column)
     H5Tclose(in_file);
     H5Sclose(space);
     return dataset;
+}
+
+static hid_t make_dataset(clod_hdf *self, const clod_hdf_column *column)
+{
+    return make_dataset_with(self, column, dataset_properties(self, column));
 }
 
 /** Close a dataset that was written to, and note what went wrong. */
@@ -200,6 +219,21 @@ void clod_hdf_make(clod_hdf *self, const clod_hdf_column *column)
     }
     const hid_t dataset = make_dataset(self, column);
     end_writing(self, dataset, column->name, dataset >= 0);
+    put_units(self, column);
+}
+
+void clod_hdf_reserve(clod_hdf *self, const clod_hdf_column *column, uint64_t *place)
+{
+    *place = 0;
+    if (clod_hdf_has_failed(self)) {
+        return;
+    }
+    const hid_t dataset = make_dataset_with(
+        self, column,
+        column->rows > 0 ? reserved_properties() : dataset_properties(self, column));
+    const haddr_t at = dataset >= 0 && column->rows > 0 ? H5Dget_offset(dataset) : 0;
+    *place = at;
+    end_writing(self, dataset, column->name, dataset >= 0 && at != HADDR_UNDEF);
     put_units(self, column);
 }
 

@@ -84,7 +84,7 @@ static bool consider(clod_origin *self, const char *stem, double time, FILE *tim
                      clod_status *status)
 {
     clod_checkpoint_file files[2];
-    const bool read = clod_checkpoint_file_find(files, self->shelf, stem, false, status);
+    const bool read = clod_checkpoint_file_find(files, self->shelf, stem, false, NULL, status);
     const int newest = read ? clod_checkpoint_file_newest(files) : -1;
     if (newest >= 0) {
         const double its = files[newest].head.time;

@@ -29,6 +29,27 @@ typedef struct clod_bed_line {
     double pull_off;    ///< N; 0 too where nobody knows the laws
 } clod_bed_line;
 
+#define CLOD_BED_COLUMNS 32
+#define CLOD_BED_PATH 4352
+
+/** A file that several processes look for by its path: whether it is the same, number and size tell. */
+typedef struct clod_bed_file {
+    char path[CLOD_BED_PATH];
+    char folder[CLOD_BED_PATH]; ///< as the user gave it, for messages
+    char name[256];             ///< of the file that will have its content, likewise
+    uint64_t number, size;      ///< in its file system; bytes
+    uint64_t start;             ///< of them that are a head
+} clod_bed_file;
+
+/** Where columns of grains and contacts lie in a file, as plain data. */
+typedef struct clod_bed_layout {
+    clod_bed_file file;
+    clod_bed_counts all;
+    size_t grain_columns, contact_columns;
+    uint64_t grain[CLOD_BED_COLUMNS],
+        contact[CLOD_BED_COLUMNS]; ///< first bytes, from the file's
+} clod_bed_layout;
+
 typedef struct clod_bed_source {
     void *context; ///< of the functions, borrowed
 
@@ -55,6 +76,23 @@ typedef struct clod_bed_source {
                      clod_bed_line *lines, clod_status *status);
 
     void (*end)(void *context);
+
+    /**
+     * All who have a part of the bed write it at its places side by side, and bring it to the disk, between
+     * `begin` and `end`, before the first `contacts`. NULL: nobody but the caller has any.
+     *
+     * @param done  [out] false: not all of them see the file; nothing was written
+     * Errors  CLOD_FAILED: memory, the disk.
+     */
+    bool (*write)(void *context, clod_bed_layout *layout, bool *done, clod_status *status);
+
+    /**
+     * They hash the blocks of a file behind its first `start` bytes side by side; NULL with `write`.
+     *
+     * @param hash  [clod_file_blocks(size - start)] [out]
+     * @return      false: not all of them see the file, or can read it; nothing is known
+     */
+    bool (*hash)(void *context, clod_bed_file *file, uint64_t *hash);
 } clod_bed_source;
 
 /** A bed that is in a state. */

@@ -300,6 +300,8 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
     clod_step_stored sums;
     clod_bed_counts all;
     clod_domain_box box[CLOD_STEP_BOXES];
+    clod_bed_layout layout;
+    bool done;
     switch (what->what) {
     case CLOD_CREW_DEAL_BEGIN:
         clod_crew_share_fini(&self->share);
@@ -350,6 +352,12 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         break;
     case CLOD_CREW_SLABS_BRING:
         clod_crew_slabs_bring(self, NULL, &status);
+        break;
+    case CLOD_CREW_SLABS_WRITE:
+        clod_crew_write(self, &layout, &done, &status);
+        break;
+    case CLOD_CREW_HASH:
+        clod_crew_hash(self, &layout.file, NULL);
         break;
     case CLOD_CREW_SLABS_END:
         clod_crew_slabs_end(self);

@@ -48,7 +48,9 @@ typedef enum clod_crew_order_kind {
     CLOD_CREW_GONE,
     CLOD_CREW_SLABS_BEGIN,
     CLOD_CREW_SLABS_BRING,
+    CLOD_CREW_SLABS_WRITE,
     CLOD_CREW_SLABS_END,
+    CLOD_CREW_HASH,
     CLOD_CREW_END,
     CLOD_CREW_DISMISS
 } clod_crew_order_kind;

@@ -116,30 +116,31 @@ bool clod_crew_slabs_begin(clod_crew *self, clod_bed_wants wants, clod_bed_count
 // ---- what is asked for
 
 /** Number of the grain, its contacts if they are wanted, and all that belongs to it. */
-static void pack_grains(clod_crew *self, const clod_crew_range *range)
+static void pack_grains(clod_crew *self, const clod_crew_range *range, clod_bytes *out)
 {
     clod_crew_slabs *slabs = &self->slabs;
     const size_t end = clod_crew_below(slabs->number, slabs->own, range->first + range->count);
     for (size_t k = clod_crew_below(slabs->number, slabs->own, range->first); k < end; k++) {
-        clod_bytes_put(&slabs->out, &slabs->number[k], sizeof *slabs->number);
+        clod_bytes *to = &out[(slabs->number[k] - range->first) / CLOD_CREW_SLAB];
+        clod_bytes_put(to, &slabs->number[k], sizeof *slabs->number);
         if (slabs->each != NULL) {
-            clod_bytes_put(&slabs->out, &slabs->each[k], sizeof *slabs->each);
+            clod_bytes_put(to, &slabs->each[k], sizeof *slabs->each);
         }
-        clod_records_put_grain(&slabs->out, &self->state, (size_t)slabs->row[k]);
+        clod_records_put_grain(to, &self->state, (size_t)slabs->row[k]);
     }
 }
 
 /** The line of the contact that is due, if lines are wanted and it is one of grains. */
-static void put_line(clod_crew_slabs *self, const clod_state *state)
+static void put_line(const clod_crew_slabs *self, const clod_state *state, clod_bytes *to)
 {
     if (self->lines && self->due->shape < 0) {
         const clod_bed_line line = clod_bed_line_of(state, &self->contacts, self->due);
-        clod_bytes_put(&self->out, &line, sizeof line);
+        clod_bytes_put(to, &line, sizeof line);
     }
 }
 
 /** Number of the first grain, the contact, and its line, of those that come next. */
-static void pack_contacts(clod_crew *self, const clod_crew_range *range)
+static void pack_contacts(clod_crew *self, const clod_crew_range *range, clod_bytes *out)
 {
     clod_crew_slabs *slabs = &self->slabs;
     const bool walls = range->what == 2;
@@ -152,11 +153,21 @@ static void pack_contacts(clod_crew *self, const clod_crew_range *range)
             if (number >= range->first + range->count) {
                 break;
             }
-            clod_bytes_put(&slabs->out, &number, sizeof number);
-            clod_records_put_contact(&slabs->out, &self->state.grains, slabs->due);
-            put_line(slabs, &self->state);
+            clod_bytes *to = &out[(number - range->first) / CLOD_CREW_SLAB];
+            clod_bytes_put(to, &number, sizeof number);
+            clod_records_put_contact(to, &self->state.grains, slabs->due);
+            put_line(slabs, &self->state, to);
         }
         slabs->due = clod_contact_walk_next(&slabs->walk);
+    }
+}
+
+void clod_crew_slabs_pack(clod_crew *self, const clod_crew_range *range, clod_bytes *out)
+{
+    if (range->what == 0) {
+        pack_grains(self, range, out);
+    } else {
+        pack_contacts(self, range, out);
     }
 }
 
@@ -166,11 +177,7 @@ bool clod_crew_slabs_bring(clod_crew *self, const clod_crew_range *range, clod_s
     clod_crew_range told = range != NULL ? *range : (clod_crew_range){0};
     clod_ranks_tell(self->ranks, &told, sizeof told);
     clod_bytes_clear(&slabs->out);
-    if (told.what == 0) {
-        pack_grains(self, &told);
-    } else {
-        pack_contacts(self, &told);
-    }
+    clod_crew_slabs_pack(self, &told, &slabs->out); // not more than a slab
     return clod_ranks_collect(self->ranks, &slabs->out, &slabs->in, slabs->begin, status);
 }
 

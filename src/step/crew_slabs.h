@@ -15,6 +15,9 @@
 
 typedef struct clod_crew clod_crew;
 
+/** Grains of a slab. */
+#define CLOD_CREW_SLAB 16384
+
 /** What of the bed is asked for. */
 typedef struct clod_crew_range {
     uint64_t first, count; ///< numbers of grains
@@ -65,6 +68,32 @@ bool clod_crew_slabs_begin(clod_crew *self, clod_bed_wants wants, clod_bed_count
 
 /** Bring rank 0 what it asks for, into `in`: records of each rank. False on all alike. */
 bool clod_crew_slabs_bring(clod_crew *self, const clod_crew_range *range, clod_status *status);
+
+/**
+ * Pack own grains of a range, or the next contacts of such grains, each with the number of its (first) grain: those
+ * of the first CLOD_CREW_SLAB numbers into out[0], of the next ones into out[1], and so on.
+ */
+void clod_crew_slabs_pack(clod_crew *self, const clod_crew_range *range, clod_bytes *out);
+
+/** Room for so many rows of a slab, with the columns that this rank's part has; false without memory. */
+bool clod_crew_slabs_room(clod_crew *self, size_t count, clod_status *status);
+
+/** Put grains that came, `in`, into the rows of the slab from number `first` on; false: it is not they. */
+bool clod_crew_slabs_take(clod_crew_slabs *self, size_t first);
+
+/** Order of contacts that came, `in`: by number of the first grain; those of one come in order. */
+bool clod_crew_slabs_sort(clod_crew_slabs *self, clod_status *status);
+
+/** Contact number k of them in that order. */
+void clod_crew_slabs_contact(const clod_crew_slabs *self, size_t k, clod_contact *to,
+                             uint64_t partners[2]);
+
+/** Every rank writes its slabs into a file, and brings them to the disk (crew_write.c). */
+bool clod_crew_write(clod_crew *self, clod_bed_layout *layout, bool *done, clod_status *status);
+
+/** Every rank hashes its blocks of a file, whose hashes rank 0 gets; false on all alike: it is not known
+ *  (crew_write.c). */
+bool clod_crew_hash(clod_crew *self, clod_bed_file *file, uint64_t *hash);
 
 /** Nothing is left of it. */
 void clod_crew_slabs_end(clod_crew *self);

@@ -32,8 +32,7 @@ static bool begin(void *context, clod_bed_wants wants, clod_bed_counts *all,
 
 // ---- grains
 
-/** Room for the rows of a slab, with the columns that ranks have; false without memory. */
-static bool make_room(clod_crew *self, size_t count, clod_status *status)
+bool clod_crew_slabs_room(clod_crew *self, size_t count, clod_status *status)
 {
     clod_crew_slabs *slabs = &self->slabs;
     clod_state *rows = &slabs->rows;
@@ -46,8 +45,7 @@ static bool make_room(clod_crew *self, size_t count, clod_status *status)
             clod_status_fail(status, CLOD_FAILED, "no memory for a slab of %zu grains", count));
 }
 
-/** Put what has come into its rows; false: it is not the slab. */
-static bool take_grains(clod_crew_slabs *self, size_t first)
+bool clod_crew_slabs_take(clod_crew_slabs *self, size_t first)
 {
     const char *at = self->in.data, *end = at + self->in.count;
     const size_t count = self->rows.grains.count;
@@ -76,11 +74,11 @@ static bool get_grains(void *context, size_t first, size_t count, clod_bed_slab 
     clod_crew *self = context;
     clod_crew_slabs *slabs = &self->slabs;
     const clod_crew_range range = {first, count, 0};
-    if (!make_room(self, count, status) || !bring(self, &range, status)) {
+    if (!clod_crew_slabs_room(self, count, status) || !bring(self, &range, status)) {
         return false;
     }
     slabs->rows.grains.count = count;
-    if (!take_grains(slabs, first)) {
+    if (!clod_crew_slabs_take(slabs, first)) {
         return clod_status_fail(status, CLOD_FAILED,
                                 "the ranks sent other grains than the %zu from number %zu on",
                                 count, first);
@@ -104,8 +102,7 @@ static size_t record_of(const clod_crew_slabs *self)
     return RECORD + (has_lines(self) ? sizeof(clod_bed_line) : 0);
 }
 
-/** Order of what has come: by number of the first grain; those of one come in order. */
-static bool sort_contacts(clod_crew_slabs *self, clod_status *status)
+bool clod_crew_slabs_sort(clod_crew_slabs *self, clod_status *status)
 {
     const size_t record = record_of(self);
     self->items = self->in.count / record;
@@ -141,9 +138,16 @@ static bool more_contacts(clod_crew *self, clod_status *status)
         if (range->first >= grains) {
             break;
         }
-        good = bring(self, range, status) && sort_contacts(slabs, status);
+        good = bring(self, range, status) && clod_crew_slabs_sort(slabs, status);
     }
     return good;
+}
+
+void clod_crew_slabs_contact(const clod_crew_slabs *self, size_t k, clod_contact *to,
+                             uint64_t partners[2])
+{
+    const char *at = self->in.data + self->item[k].index * record_of(self);
+    clod_records_get_contact(at + sizeof(uint64_t), to, partners);
 }
 
 static bool get_contacts(void *context, size_t *count, clod_contact *to,
@@ -167,6 +171,20 @@ static bool get_contacts(void *context, size_t *count, clod_contact *to,
     return good;
 }
 
+static bool write(void *context, clod_bed_layout *layout, bool *done, clod_status *status)
+{
+    clod_crew *self = context;
+    clod_crew_give(self, CLOD_CREW_SLABS_WRITE);
+    return clod_crew_write(self, layout, done, status);
+}
+
+static bool hash_file(void *context, clod_bed_file *file, uint64_t *hash)
+{
+    clod_crew *self = context;
+    clod_crew_give(self, CLOD_CREW_HASH);
+    return clod_crew_hash(self, file, hash);
+}
+
 static void end(void *context)
 {
     clod_crew *self = context;
@@ -184,7 +202,9 @@ clod_bed_source clod_step_bed_source(clod_step *step, clod_step_bed *self)
                                  .begin = begin,
                                  .grains = get_grains,
                                  .contacts = get_contacts,
-                                 .end = end};
+                                 .end = end,
+                                 .write = write,
+                                 .hash = hash_file};
     }
     self->contacts = clod_step_contacts(step, &self->reader);
     return clod_bed_source_of(&self->view, step->state, &self->contacts);

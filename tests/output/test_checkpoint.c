@@ -273,13 +273,14 @@ static void another_format_is_refused_and_not_taken_for_damage(void **folder)
     clod_status status;
     clod_checkpoint_file files[2];
     assert_true(
-        clod_checkpoint_file_find(files, temp_folder(folder), "restart", true, &status));
+        clod_checkpoint_file_find(files, temp_folder(folder), "restart", true, NULL, &status));
     assert_int_equal(clod_checkpoint_file_newest(files), 1);
     size_t size;
     char *bytes = temp_read(folder, "restart_b.h5", &size);
     files[1].head.format = CLOD_CHECKPOINT_FORMAT + 1;
-    assert_int_equal(
-        clod_checkpoint_file_print_head(bytes, &files[1].head, files[1].descriptor), 0);
+    assert_int_equal(clod_checkpoint_file_print_head(bytes, &files[1].head, files[1].descriptor,
+                                                     &(clod_checkpoint_reader){0}),
+                     0);
     temp_write(folder, "restart_b.h5", bytes, size);
     clod_memory_free(bytes);
     clod_checkpoint_file_release(files);
