@@ -88,6 +88,9 @@ static void put_margin(FILE *out, const clod_hopper_found *found)
     const clod_hopper_value *margin = &found->number[CLOD_HOPPER_MARGIN];
     const double unproven = found->share[CLOD_HOPPER_UNPROVEN];
     char numbers[240], perhaps[64] = "", caption[512];
+    if (isnan(margin->value)) { // funnel flow: no arch is asked for
+        return;
+    }
     tell(numbers, how, margin);
     if (unproven > 0.0) {
         snprintf(perhaps, sizeof perhaps, "; %.1f %% are perhaps no mass flow",

@@ -22,14 +22,14 @@
 
 // docs/scaling.md, Memory: bytes a grain of the bed times ranks are bytes a grain of a share
 #define ROW_BYTES 610.0     ///< rank 0 between rebuilds: 305 with 2 ranks
-#define REBUILD 2.45        ///< times as much in a rebuild: 751 over 302, 4 ranks 424 over 184
+#define REBUILD 2.45        ///< times as much in a rebuild: 751 over 305, 4 ranks 424 over 184
 #define DEAL_BYTES_0 720.0  ///< made and dealt, rank 0: mean of 2 to 8 ranks
 #define DEAL_BYTES 760.0    ///< the same, another rank
 #define WHOLE_BYTES_0 560.0 ///< of the whole bed, dealt by rank 0: 558 and 579
 #define WHOLE_BYTES 1500.0  ///< another rank: 656 with 2 ranks and 400 with 4
 #define GATHERED_BYTES 1250.0 ///< of the whole bed, gathered on rank 0: 1 229
 
-// docs/scaling.md, Making: us a grain, with packing; at random positions by solid fraction
+// docs/scaling.md, Making: us a grain, in layers with packing; at random positions by solid fraction
 #define MAKE_LAYERS 1.1e-6
 #define LAYERS_FROM 0.33
 static const double MAKE_RANDOM[][2] = {{0.06, 2.1e-6}, {0.15, 2.5e-6}, {0.30, 11.6e-6}};

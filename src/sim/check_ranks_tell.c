@@ -188,9 +188,8 @@ void clod_check_ranks_write(clod_check_page *to, const clod_check_report *r)
     }
     if (told->making > 0.0) {
         clod_check_line(
-            to, "",
-            "%.2g s before them while rank 0 makes the bed, and %.2g s for each checkpoint",
-            told->making, told->writing);
+            to, "", "%s before them while rank 0 makes the bed, and %s for each checkpoint",
+            clod_check_clock_words(told->making, a), clod_check_clock_words(told->writing, b));
     }
     clod_check_line(to, "", "memory of rank 0: %s while the bed is made and dealt, %s in steps",
                     clod_check_byte_words(told->begin_0, a),

@@ -140,7 +140,9 @@ bool clod_crew_sizes_next(clod_crew_sizes *self, clod_ranks *ranks, size_t chunk
     good = clod_crew_shares_init(&all, ranks, status);
     if (good) {
         const size_t left = self->count - self->sent, count = left < chunk ? left : chunk;
-        clod_bytes_put(&all.out[0], self->own + self->sent, count * sizeof *self->own);
+        if (count > 0) {
+            clod_bytes_put(&all.out[0], &self->own[self->sent], count * sizeof *self->own);
+        }
         self->sent += count;
         good = clod_crew_shares_collect(&all, ranks, status);
     }

@@ -225,6 +225,28 @@ static void a_damaged_file_is_the_next_to_be_overwritten(void **folder)
     expect_seed(folder, 3, notice);
 }
 
+/** The newest has a good head and one wrong byte: the older one is the only whole file, and stays. */
+static void a_newest_file_with_a_damaged_content_is_overwritten(void **folder)
+{
+    char notice[2048];
+    size_t size, size_a;
+    write_seeds(folder, 1, 2);
+    char *older = temp_read(folder, "restart_a.h5", &size_a);
+    char *newest = temp_read(folder, "restart_b.h5", &size);
+    newest[size - 9] ^= 1;
+    temp_write(folder, "restart_b.h5", newest, size);
+    write_seeds(folder, 3, 3);
+    size_t now;
+    char *kept = temp_read(folder, "restart_a.h5", &now);
+    assert_int_equal(now, size_a);
+    assert_memory_equal(kept, older, size_a);
+    expect_seed(folder, 3, notice);
+    assert_string_equal(notice, "");
+    clod_memory_free(older);
+    clod_memory_free(newest);
+    clod_memory_free(kept);
+}
+
 static void without_a_whole_file_the_reasons_are_told(void **folder)
 {
     char text[2048];
@@ -422,6 +444,7 @@ int main(void)
         FOLDER_TEST(a_file_cut_at_any_length_is_not_used),
         FOLDER_TEST(a_flipped_bit_anywhere_is_found),
         FOLDER_TEST(a_damaged_file_is_the_next_to_be_overwritten),
+        FOLDER_TEST(a_newest_file_with_a_damaged_content_is_overwritten),
         FOLDER_TEST(without_a_whole_file_the_reasons_are_told),
         FOLDER_TEST(a_changed_case_is_refused),
         FOLDER_TEST(another_format_is_refused_and_not_taken_for_damage),
