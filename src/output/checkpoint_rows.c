@@ -4,6 +4,7 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "base/room.h"
 #include "output/checkpoint.h"
 #include "output/checkpoint_file.h"
 #include "output/file.h"
@@ -78,26 +79,19 @@ bool clod_checkpoint_rows_reserve(clod_hdf *hdf, const clod_state *state,
 // ---- rows
 
 int clod_checkpoint_rows_put(int descriptor, const clod_checkpoint_columns *columns,
-                             const uint64_t *place, size_t first)
+                             const uint64_t *place, size_t first, clod_bytes *packed)
 {
     int error = 0;
-    char *packed = NULL;
-    size_t room = 0;
     for (size_t c = 0; error == 0 && c < columns->count; c++) {
         const clod_hdf_column *column = &columns->column[c];
         const size_t row = clod_hdf_row_size(column), bytes = column->rows * row;
-        if (bytes > room) {
-            clod_memory_free(packed);
-            packed = clod_memory_alloc(bytes, 1);
-            room = bytes;
+        if (!clod_room_for(&packed->data, &packed->capacity, bytes + 1, 1)) {
+            return ENOMEM;
         }
-        if (packed == NULL) {
-            return bytes > 0 ? ENOMEM : 0;
-        }
-        clod_hdf_pack(column, 0, column->rows, packed);
-        error = clod_file_write_at(descriptor, place[c] + (uint64_t)first * row, packed, bytes);
+        clod_hdf_pack(column, 0, column->rows, packed->data);
+        error = clod_file_write_at(descriptor, place[c] + (uint64_t)first * row, packed->data,
+                                   bytes);
     }
-    clod_memory_free(packed);
     return error;
 }
 
@@ -107,7 +101,7 @@ static bool fail(const clod_folder_draft *draft, int error, clod_status *status)
 }
 
 static bool write_grains(const clod_folder_draft *draft, const clod_bed_source *bed,
-                         const clod_bed_layout *layout, clod_status *status)
+                         const clod_bed_layout *layout, clod_bytes *packed, clod_status *status)
 {
     clod_checkpoint_columns columns;
     const size_t total = layout->all.grains;
@@ -117,8 +111,8 @@ static bool write_grains(const clod_folder_draft *draft, const clod_bed_source *
         good = bed->grains(bed->context, first, slab_rows(total - first), &some, status);
         if (good) {
             clod_checkpoint_columns_of_grains(&columns, some.rows);
-            const int error =
-                clod_checkpoint_rows_put(draft->descriptor, &columns, layout->grain, first);
+            const int error = clod_checkpoint_rows_put(draft->descriptor, &columns,
+                                                       layout->grain, first, packed);
             good = error == 0 || fail(draft, error, status);
         }
     }
@@ -126,7 +120,8 @@ static bool write_grains(const clod_folder_draft *draft, const clod_bed_source *
 }
 
 static bool write_contacts(const clod_folder_draft *draft, const clod_bed_source *bed,
-                           const clod_bed_layout *layout, clod_status *status)
+                           const clod_bed_layout *layout, clod_bytes *packed,
+                           clod_status *status)
 {
     clod_checkpoint_columns columns;
     const size_t total = layout->all.pairs + layout->all.walls;
@@ -139,8 +134,8 @@ static bool write_contacts(const clod_folder_draft *draft, const clod_bed_source
             CLOD_ASSERT(count > 0);
             clod_checkpoint_columns_of_contacts(&columns, some.contacts,
                                                 (const uint64_t(*)[2])some.partners, count);
-            const int error =
-                clod_checkpoint_rows_put(draft->descriptor, &columns, layout->contact, first);
+            const int error = clod_checkpoint_rows_put(draft->descriptor, &columns,
+                                                       layout->contact, first, packed);
             good = error == 0 || fail(draft, error, status);
         }
     }
@@ -156,6 +151,9 @@ bool clod_checkpoint_rows_write(const clod_folder_draft *draft, const clod_bed_s
         !bed->write(bed->context, layout, &done, status)) {
         return false;
     }
-    return done || (write_grains(draft, bed, layout, status) &&
-                    write_contacts(draft, bed, layout, status));
+    clod_bytes packed = {0};
+    const bool good = done || (write_grains(draft, bed, layout, &packed, status) &&
+                               write_contacts(draft, bed, layout, &packed, status));
+    clod_bytes_fini(&packed);
+    return good;
 }

@@ -7,6 +7,7 @@
  * Threads  one per file.   Test  tests/output/test_checkpoint_stream.c, tests/step/test_ranks_slabs.c
  */
 
+#include "base/bytes.h"
 #include "output/checkpoint_columns.h"
 #include "output/folder_files.h"
 #include "output/hdf.h"
@@ -20,11 +21,12 @@ bool clod_checkpoint_rows_reserve(clod_hdf *hdf, const clod_state *state,
 /**
  * Write the rows of some columns at their places, as row `first` and the following.
  *
- * @param place  [columns->count] first byte of each column in the file
- * @return       0 or an errno value
+ * @param place   [columns->count] first byte of each column in the file
+ * @param packed  [in,out] scratch
+ * @return        0 or an errno value
  */
 int clod_checkpoint_rows_put(int descriptor, const clod_checkpoint_columns *columns,
-                             const uint64_t *place, size_t first);
+                             const uint64_t *place, size_t first, clod_bytes *packed);
 
 /** Write all grains and contacts of a bed that has begun, by all who have them, or here, slab by slab. */
 bool clod_checkpoint_rows_write(const clod_folder_draft *draft, const clod_bed_source *bed,

@@ -47,8 +47,11 @@ bool clod_crew_slabs_room(clod_crew *self, size_t count, clod_status *status)
 
 bool clod_crew_slabs_take(clod_crew_slabs *self, size_t first)
 {
-    const char *at = self->in.data, *end = at + self->in.count;
     const size_t count = self->rows.grains.count;
+    if (self->in.count == 0) { // then there may be no place of them
+        return count == 0;
+    }
+    const char *at = self->in.data, *end = at + self->in.count;
     size_t taken = 0;
     while (at < end) {
         uint64_t number;

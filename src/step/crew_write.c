@@ -22,6 +22,7 @@ typedef struct writing {
     clod_contact *contacts;  ///< [SOME] owned, as the next two
     uint64_t (*partners)[2]; ///< [SOME]
     uint64_t *counts;        ///< [ranks]
+    clod_bytes *packed;      ///< scratch; borrowed
 } writing;
 
 /** Open the file that rank 0 means; -1: it is not there, or another one. */
@@ -49,14 +50,15 @@ static bool fail(const writing *self, int error, clod_status *status)
 }
 
 static bool writing_init(writing *self, clod_crew *crew, const clod_bed_layout *layout,
-                         int descriptor, clod_status *status)
+                         int descriptor, clod_bytes *packed, clod_status *status)
 {
     *self = (writing){crew,
                       layout,
                       descriptor,
                       clod_memory_alloc(SOME, sizeof *self->contacts),
                       clod_memory_alloc(SOME, sizeof *self->partners),
-                      clod_memory_alloc((size_t)crew->ranks->size, sizeof *self->counts)};
+                      clod_memory_alloc((size_t)crew->ranks->size, sizeof *self->counts),
+                      packed};
     const bool good =
         (self->contacts != NULL && self->partners != NULL && self->counts != NULL) ||
         clod_status_fail(status, CLOD_FAILED, "No memory to write a checkpoint.");
@@ -146,7 +148,7 @@ static bool write_rows(const writing *self, uint64_t first, clod_status *status)
         clod_checkpoint_columns_of_contacts(&columns, self->contacts,
                                             (const uint64_t(*)[2])self->partners, count);
         error = clod_checkpoint_rows_put(self->descriptor, &columns, self->layout->contact,
-                                         first + k);
+                                         first + k, self->packed);
     }
     return error == 0 || fail(self, error, status);
 }
@@ -205,8 +207,11 @@ bool clod_crew_write(clod_crew *self, clod_bed_layout *layout, bool *done, clod_
     bool good = true;
     if (*done) {
         writing all;
-        good = writing_init(&all, self, layout, descriptor, status) && write_all(&all, status);
+        clod_bytes packed = {0};
+        good = writing_init(&all, self, layout, descriptor, &packed, status) &&
+               write_all(&all, status);
         writing_fini(&all);
+        clod_bytes_fini(&packed);
     }
     const int error = descriptor >= 0 ? clod_file_close(descriptor) : 0;
     if (*done && good) {
