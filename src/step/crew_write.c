@@ -110,9 +110,10 @@ static bool write_slab(const writing *self, uint64_t first, clod_status *status)
     }
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_of_grains(&columns, &crew->slabs.rows);
-    const int error = count == 0 ? 0
-                                 : clod_checkpoint_rows_put(self->descriptor, &columns,
-                                                            self->layout->grain, first);
+    const int error = count == 0
+                          ? 0
+                          : clod_checkpoint_rows_put(self->descriptor, &columns,
+                                                     self->layout->grain, first, self->packed);
     return error == 0 || fail(self, error, status);
 }
 
