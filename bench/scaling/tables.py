@@ -105,7 +105,7 @@ def job(machine):
     many = cases(machine)
     c = many[0]
     out = head(["grains", "cores", "GB a rank, while made", "of its node", "s to make (in layers) and deal",
-                "s a checkpoint", "of the run, one an hour, %"])
+                "s a checkpoint through rank 0", "of the run, one an hour, %"])
     for grains in GRAINS:
         for ranks in RANKS:
             if grains / ranks < LEAST:

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 
 #include "base/memory.h"
@@ -38,12 +39,16 @@ static bool name_file(const clod_folder *folder, const char *part, const char *n
         file->start = CLOD_CHECKPOINT_HEAD_BYTES;
     }
     free(real); // the C library's own
-    return good;
+    return good && file->size >= sizeof file->head &&
+           clod_file_read_at(descriptor, 0, file->head, sizeof file->head) == 0;
 }
 
 bool clod_checkpoint_file_name(const clod_folder_draft *draft, clod_bed_file *file)
 {
-    return name_file(draft->folder, draft->part, draft->name, draft->descriptor, file);
+    char mark[16]; // of this draft alone, until it has its head
+    return getrandom(mark, sizeof mark, 0) == (ssize_t)sizeof mark &&
+           clod_file_write_at(draft->descriptor, 0, mark, sizeof mark) == 0 &&
+           name_file(draft->folder, draft->part, draft->name, draft->descriptor, file);
 }
 
 /** Hashes of all blocks behind the head, by all who help, or here; 0 or an errno value. */

@@ -32,13 +32,17 @@ typedef struct clod_bed_line {
 #define CLOD_BED_COLUMNS 32
 #define CLOD_BED_PATH 4352
 
-/** A file that several processes look for by its path: whether it is the same, number and size tell. */
+#define CLOD_BED_HEAD 512
+
+/** A file that several processes look for by its path: whether it is the same, its number, size and first bytes
+ *  tell. */
 typedef struct clod_bed_file {
     char path[CLOD_BED_PATH];
     char folder[CLOD_BED_PATH]; ///< as the user gave it, for messages
     char name[256];             ///< of the file that will have its content, likewise
     uint64_t number, size;      ///< in its file system; bytes
     uint64_t start;             ///< of them that are a head
+    char head[CLOD_BED_HEAD];   ///< the first of them
 } clod_bed_file;
 
 /** Where columns of grains and contacts lie in a file, as plain data. */

@@ -2,7 +2,7 @@
 /**
  * @file crew_slabs.h
  * A bed that ranks step on its way into a file: in the order of one process, slab by slab, so that no
- * rank ever has more than its part and a slab. First every own grain gets its number in that order
+ * rank ever has more than its part and a slab (who writes side by side hands over a slab for each rank at a time). First every own grain gets its number in that order
  * (crew_number.c); then rank 0 asks for the grains with the next numbers, and for their contacts.
  *
  * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/step/test_ranks_slabs.c
@@ -39,7 +39,7 @@ typedef struct clod_crew_slabs {
     size_t at;               ///< place in `row` of the last one's grain
     clod_bytes out, in;
     size_t *begin; ///< [ranks + 1]
-    // of rank 0
+    // of rank 0, and of every rank that writes
     clod_state rows; ///< of the last slab
     int32_t *rows_each;
     size_t each_room;

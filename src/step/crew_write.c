@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 
 #include "base/memory.h"
 #include "output/checkpoint_rows.h"
@@ -25,16 +26,50 @@ typedef struct writing {
     clod_bytes *packed;      ///< scratch; borrowed
 } writing;
 
-/** Open the file that rank 0 means; -1: it is not there, or another one. */
-static int open_same(const clod_bed_file *file, int flags)
+/** File systems whose nodes see each other's bytes at once, and those of one machine. Others, NFS for one, keep
+ *  pages: a node may write what it has of a page over what another one has written there. */
+static const uint64_t COHERENT[] = {
+    0xEF53,     // ext4
+    0x58465342, // XFS
+    0x9123683E, // Btrfs
+    0x2FC12FC1, // ZFS
+    0xF2F52010, // F2FS
+    0x01021994, // tmpfs
+    0x794C7630, // overlay
+    0x0BD00BD0, // Lustre
+    0x47504653, // GPFS
+    0x19830326, // BeeGFS
+    0x00C36400, // CephFS
+};
+
+static bool is_coherent(int descriptor)
+{
+    struct statfs info;
+    bool found = false;
+    if (fstatfs(descriptor, &info) == 0) {
+        for (size_t k = 0; k < sizeof COHERENT / sizeof *COHERENT; k++) {
+            found = found || ((uint64_t)info.f_type & 0xFFFFFFFF) == COHERENT[k];
+        }
+    }
+    return found;
+}
+
+/** Whether an open file is the one that rank 0 means. */
+static bool is_same(int descriptor, const clod_bed_file *file)
 {
     struct stat info;
+    char head[CLOD_BED_HEAD];
+    return fstat(descriptor, &info) == 0 && (uint64_t)info.st_ino == file->number &&
+           (uint64_t)info.st_size == file->size &&
+           clod_file_read_at(descriptor, 0, head, sizeof head) == 0 &&
+           memcmp(head, file->head, sizeof head) == 0;
+}
+
+/** Open the file that rank 0 means; -1: it is not there, another one, or not to be written side by side. */
+static int open_same(const clod_bed_file *file, int flags)
+{
     const int descriptor = clod_file_open(AT_FDCWD, file->path, flags | O_NOFOLLOW);
-    if (descriptor < 0) {
-        return -1;
-    }
-    if (fstat(descriptor, &info) != 0 || (uint64_t)info.st_ino != file->number ||
-        (uint64_t)info.st_size != file->size) {
+    if (descriptor >= 0 && !(is_coherent(descriptor) && is_same(descriptor, file))) {
         clod_file_close(descriptor); // nothing was written
         return -1;
     }
@@ -110,6 +145,9 @@ static bool write_slab(const writing *self, uint64_t first, clod_status *status)
     }
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_of_grains(&columns, &crew->slabs.rows);
+    if (count > 0 && columns.count != self->layout->grain_columns) {
+        return clod_status_fail(status, CLOD_FAILED, "a rank has other columns of grains");
+    }
     const int error = count == 0
                           ? 0
                           : clod_checkpoint_rows_put(self->descriptor, &columns,
@@ -154,6 +192,16 @@ static bool write_rows(const writing *self, uint64_t first, clod_status *status)
     return error == 0 || fail(self, error, status);
 }
 
+static uint64_t contacts_of(const clod_bed_layout *layout)
+{
+    return layout->all.pairs + layout->all.walls;
+}
+
+static bool fail_to_count(clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED, "the ranks have other contacts than counted");
+}
+
 /** Contacts with grains (1) or walls (2), behind `*before` of them that are written. */
 static bool write_contacts(const writing *self, int64_t what, uint64_t *before,
                            clod_status *status)
@@ -174,7 +222,8 @@ static bool write_contacts(const writing *self, int64_t what, uint64_t *before,
                 own += r < ranks->rank ? self->counts[r] : 0;
                 *before += self->counts[r];
             }
-            mine = write_rows(self, own, status);
+            mine = (*before <= contacts_of(self->layout) || fail_to_count(status)) &&
+                   write_rows(self, own, status);
             good = clod_ranks_agree(ranks, mine, status);
         }
     }
@@ -189,6 +238,9 @@ static bool write_all(writing *self, clod_status *status)
     uint64_t before = 0;
     bool good = write_grains(self, status) && write_contacts(self, 1, &before, status) &&
                 write_contacts(self, 2, &before, status);
+    if (good && before != contacts_of(self->layout)) { // all know both
+        good = fail_to_count(status);
+    }
     if (good) { // to the disk, where other ranks may read it
         const int error = clod_file_sync(self->descriptor);
         const bool mine = error == 0 || fail(self, error, status);
@@ -201,7 +253,7 @@ bool clod_crew_write(clod_crew *self, clod_bed_layout *layout, bool *done, clod_
 {
     clod_status unused = {0};
     clod_ranks_tell(self->ranks, layout, sizeof *layout);
-    const int descriptor = open_same(&layout->file, O_WRONLY);
+    const int descriptor = open_same(&layout->file, O_RDWR);
     const bool here = descriptor >= 0 ||
                       clod_status_fail(&unused, CLOD_FAILED, "a rank does not see the file");
     *done = clod_ranks_agree(self->ranks, here, &unused);
