@@ -173,7 +173,7 @@ static int open_head(clod_checkpoint_file *file, const clod_folder *folder)
 /** Read a file with a good head through; else its `reason` says why it is not whole. 0 or an errno value. */
 static int check_whole(clod_checkpoint_file *file, const clod_checkpoint_reader *reader)
 {
-    char text[CLOD_CHECKPOINT_HEAD_BYTES], again[CLOD_CHECKPOINT_HEAD_BYTES];
+    char text[CLOD_CHECKPOINT_HEAD_BYTES], again[CLOD_CHECKPOINT_HEAD_BYTES] = "";
     int error = clod_file_read_at(file->descriptor, 0, text, sizeof text);
     if (error == 0) {
         error = clod_checkpoint_file_print_head(again, &file->head, file->descriptor, reader);
