@@ -225,8 +225,7 @@ static void a_damaged_file_is_the_next_to_be_overwritten(void **folder)
     expect_seed(folder, 3, notice);
 }
 
-/** The newest has a good head and one wrong byte: the older one is the only whole file, and stays. */
-static void a_newest_file_with_a_damaged_content_is_overwritten(void **folder)
+static void a_newest_file_with_one_wrong_byte_is_overwritten(void **folder)
 {
     char notice[2048];
     size_t size;
@@ -438,7 +437,7 @@ int main(void)
         FOLDER_TEST(a_file_cut_at_any_length_is_not_used),
         FOLDER_TEST(a_flipped_bit_anywhere_is_found),
         FOLDER_TEST(a_damaged_file_is_the_next_to_be_overwritten),
-        FOLDER_TEST(a_newest_file_with_a_damaged_content_is_overwritten),
+        FOLDER_TEST(a_newest_file_with_one_wrong_byte_is_overwritten),
         FOLDER_TEST(without_a_whole_file_the_reasons_are_told),
         FOLDER_TEST(a_changed_case_is_refused),
         FOLDER_TEST(another_format_is_refused_and_not_taken_for_damage),
