@@ -45,7 +45,7 @@ with clod.ranks() as ranks:
             print(ranks.size, len(sim), sim.step)
         with make(ranks) as sim:
             print(sim.step)
-print("after", flush=True)
+print(" after ", flush=True)  # mpirun may put the lines of three processes behind each other
 """)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(sorted(done.stdout.split()), ["0", "100", "120", "3", *3 * ["after"]])
