@@ -109,7 +109,7 @@ static void make_bed(scene *s, bool large, clod_ranks *ranks)
     if (!large) {
         bed_init(s, BED_SLIT, 1);
         scene_start_with(s, options);
-        scene_run(s, 300);
+        scene_run(s, 60);
         return;
     }
     const clod_case_contact ore = contact_ore();
@@ -242,7 +242,7 @@ static void a_full_disk_of_a_rank_is_told_by_all(void **folder)
 
 static void a_rank_without_memory_is_told_by_all(void **folder)
 {
-    for (int rank = 0; rank < RANKS; rank++) {
+    for (int rank = 0; rank < RANKS; rank += sanitized() ? 2 : 1) {
         assert_in_range(try_each(folder, ASKS, rank, false), 5, 2000);
     }
 }
