@@ -56,7 +56,7 @@ bool clod_checkpoint_rows_reserve(clod_hdf *hdf, const clod_state *state,
     clod_checkpoint_columns columns;
     clod_bed_slab some = {.rows = state};
     const size_t grains = layout->all.grains;
-    if (grains > 0 && !bed->grains(bed->context, 0, slab_rows(grains), &some, status)) {
+    if (grains > 0 && !bed->grains(bed->context, 0, 1, &some, status)) {
         return false;
     }
     clod_checkpoint_columns_of_grains(&columns, some.rows); // those that this bed has

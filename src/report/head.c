@@ -70,14 +70,6 @@ void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
     fputs("</section>\n", out);
 }
 
-static void put_row(FILE *out, const char *name, const char *value)
-{
-    fputs("<tr>", out);
-    clod_html_cell(out, "th", name);
-    clod_html_cell(out, "td", value);
-    fputs("</tr>\n", out);
-}
-
 /** A number of the summary, or of the first of its parts. */
 static const json_t *look_up(const json_t *summary, const char *key)
 {
@@ -97,17 +89,17 @@ void clod_head_sources(FILE *out, const clod_run_files *run)
                    {"wall_clock_s", "computing time [s]", "%.4g"}};
     clod_html_section(out, "provenance", "Where this comes from");
     fputs("<div class=\"scroll\"><table class=\"facts\">", out);
-    put_row(out, "results folder", run->folder);
+    clod_html_fact(out, "results folder", run->folder);
     const char *version = json_string_value(json_object_get(run->summary, "version"));
-    put_row(out, "computed by", version != NULL ? version : "not known");
-    put_row(out, "begun", run->began != NULL ? run->began : "not known");
-    put_row(out, "last entry of the log", run->ended != NULL ? run->ended : "not known");
+    clod_html_fact(out, "computed by", version != NULL ? version : "not known");
+    clod_html_fact(out, "begun", run->began != NULL ? run->began : "not known");
+    clod_html_fact(out, "last entry of the log", run->ended != NULL ? run->ended : "not known");
     for (size_t k = 0; k < sizeof NUMBERS / sizeof *NUMBERS; k++) {
         const json_t *value = look_up(run->summary, NUMBERS[k].key);
         if (json_is_number(value)) {
             char text[64];
             snprintf(text, sizeof text, NUMBERS[k].format, json_number_value(value));
-            put_row(out, NUMBERS[k].text, text);
+            clod_html_fact(out, NUMBERS[k].text, text);
         }
     }
     fputs("</table></div>\n", out);

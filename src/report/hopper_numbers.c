@@ -25,14 +25,6 @@ static void put_row(FILE *out, const clod_hopper_field *how, const clod_hopper_v
     fputs("</tr>\n", out);
 }
 
-static void put_fact(FILE *out, const char *name, const char *text)
-{
-    fputs("<tr>", out);
-    clod_html_cell(out, "th", name);
-    clod_html_cell(out, "td", text);
-    fputs("</tr>\n", out);
-}
-
 static void begin_table(FILE *out, const clod_hopper *design, const char *first)
 {
     const double tail = 50.0 * (1.0 - design->from.interval.level);
@@ -184,7 +176,7 @@ static void put_file(FILE *out, const char *what, const char *path, bool folded)
         return;
     }
     if (!folded) {
-        put_fact(out, what, path);
+        clod_html_fact(out, what, path);
     } else if (clod_input_read_regular(path, MOST_BYTES, &text, &length, &none)) {
         clod_html_folded(out, path, text);
         clod_memory_free(text);
@@ -213,17 +205,18 @@ static void put_sources(FILE *out, const clod_hopper *design)
     fputs("<div class=\"scroll\"><table class=\"facts\">", out);
     put_files(out, design, false);
     for (size_t k = 0; k < design->override_count; k++) {
-        put_fact(out, "said in place of the case's value", design->overrides[k]);
+        clod_html_fact(out, "said in place of the case's value", design->overrides[k]);
     }
-    put_fact(out, "curve of the flow function",
-             from->strength.curve == 0 ? "line through all points" : "from point to point");
-    put_fact(out, "H(theta)", CLOD_HOPPER_ARCH_NAMES[from->arch]);
+    clod_html_fact(out, "curve of the flow function",
+                   from->strength.curve == 0 ? "line through all points"
+                                             : "from point to point");
+    clod_html_fact(out, "H(theta)", CLOD_HOPPER_ARCH_NAMES[from->arch]);
     snprintf(text, sizeof text, "%.3g %%, %lld samples, seed %lld",
              100.0 * from->interval.level, (long long)from->interval.samples,
              (long long)from->interval.seed);
-    put_fact(out, "intervals", text);
-    put_fact(out, "computed by", clod_version_text());
-    put_fact(out, "equations and their sources", "docs/theory/hopper.md");
+    clod_html_fact(out, "intervals", text);
+    clod_html_fact(out, "computed by", clod_version_text());
+    clod_html_fact(out, "equations and their sources", "docs/theory/hopper.md");
     fputs("</table></div>\n", out);
     put_files(out, design, true);
 }

@@ -14,6 +14,14 @@ void clod_html_cell(FILE *out, const char *tag, const char *text)
     fprintf(out, "</%s>", tag);
 }
 
+void clod_html_fact(FILE *out, const char *name, const char *text)
+{
+    fputs("<tr>", out);
+    clod_html_cell(out, "th", name);
+    clod_html_cell(out, "td", text);
+    fputs("</tr>\n", out);
+}
+
 void clod_html_section(FILE *out, const char *id, const char *title)
 {
     fprintf(out, "<h2 id=\"%s\">", id);

@@ -12,6 +12,9 @@ void clod_html_text(FILE *out, const char *text);
 /** Write a table cell, `tag` th or td. */
 void clod_html_cell(FILE *out, const char *tag, const char *text);
 
+/** A row of a table of facts: what, and its text. */
+void clod_html_fact(FILE *out, const char *name, const char *text);
+
 /** Begin a section with a heading. */
 void clod_html_section(FILE *out, const char *id, const char *title);
 

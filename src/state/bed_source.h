@@ -65,7 +65,7 @@ typedef struct clod_bed_source {
     bool (*begin)(void *context, clod_bed_wants wants, clod_bed_counts *all,
                   clod_status *status);
 
-    /** Get the grains [first, first + count); `first` rises. */
+    /** Get the grains [first, first + count); `first` rises, or begins anew. */
     bool (*grains)(void *context, size_t first, size_t count, clod_bed_slab *slab,
                    clod_status *status);
 

@@ -9,8 +9,6 @@
 #include "parallel/ranks_collect.h"
 #include "step/crew_part.h"
 
-#define SLAB 16384 ///< rows that rank 0 sorts at a time
-
 /** A grain's place in the order. */
 typedef struct keyed {
     uint64_t key, id;
@@ -78,12 +76,12 @@ static uint64_t least_key(const numbering *self, size_t at)
 static uint64_t end_of_slab(const numbering *self)
 {
     uint64_t low = least_key(self, 0); // none is below it
-    uint64_t high = least_key(self, SLAB);
+    uint64_t high = least_key(self, CLOD_CREW_SLAB);
     const uint64_t next = low;
     high += high < UINT64_MAX; // more than a slab is below it
     while (high - low > 1) {
         const uint64_t middle = low + (high - low) / 2;
-        if (all_below(self, middle) <= SLAB) {
+        if (all_below(self, middle) <= CLOD_CREW_SLAB) {
             low = middle;
         } else {
             high = middle;
@@ -157,7 +155,7 @@ static bool number_all(numbering *self, const clod_crew *crew, clod_status *stat
     for (uint64_t left = all_below(self, UINT64_MAX); good && left > 0;
          left = all_below(self, UINT64_MAX)) {
         const size_t count =
-            left <= SLAB ? self->own - self->at : below(self, end_of_slab(self));
+            left <= CLOD_CREW_SLAB ? self->own - self->at : below(self, end_of_slab(self));
         good = number_next(self, crew, count, &first, status);
     }
     return good;

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <sys/vfs.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "output/checkpoint_rows.h"
 #include "output/file.h"
@@ -186,6 +187,7 @@ static bool write_rows(const writing *self, uint64_t first, clod_status *status)
         }
         clod_checkpoint_columns_of_contacts(&columns, self->contacts,
                                             (const uint64_t(*)[2])self->partners, count);
+        CLOD_ASSERT(columns.count == self->layout->contact_columns); // one table for all
         error = clod_checkpoint_rows_put(self->descriptor, &columns, self->layout->contact,
                                          first + k, self->packed);
     }
