@@ -140,7 +140,6 @@ static bool remake_near(clod_step *step, clod_status *status)
 {
     const int64_t refreshes = step->refreshes;
     step->near.wall_skin = -1.0;
-    step->thread[0].near_slack = -1.0;
     return clod_step_advance(step, 1, status) &&
            (step->refreshes > refreshes ||
             clod_status_fail(status, CLOD_FAILED, "the near list was not made anew"));

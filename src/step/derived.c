@@ -100,7 +100,8 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
                                .state = state,
                                .laws = self->laws,
                                .walls = &self->walls,
-                               .skins = clod_step_skins(self, speed)};
+                               .skins = clod_step_skins(self, speed),
+                               .runs = self->spread != NULL ? self->spread->runs : 1};
     if (!clod_spread_agree(self->spread, clod_near_make(&job, status), status)) {
         return false;
     }

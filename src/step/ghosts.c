@@ -83,7 +83,7 @@ static void merge_sums(const void *context, void *into, const void *from)
     sums->max_speed2 = fmax(sums->max_speed2, others->max_speed2);
     sums->finite &= others->finite;
     sums->excess |= others->excess;
-    sums->slack = fmin(sums->slack, others->slack);
+    sums->used_up |= others->used_up;
     if (self->near.ledger) {
         merge_dissipated(&sums->dissipated, &others->dissipated);
     }
@@ -98,13 +98,13 @@ static void merge(clod_step *self)
     for (int32_t w = 0; w < spread->walls; w++) {
         sum_wall(self, &spread->wall_sum[w], w);
     }
-    *sums = (clod_spread_sums){.finite = 1, .slack = INFINITY};
+    *sums = (clod_spread_sums){.finite = 1};
     for (int t = 0; t < self->threads; t++) {
         clod_step_thread *thread = &self->thread[t];
         sums->max_speed2 = fmax(sums->max_speed2, thread->max_speed2);
         sums->finite &= thread->finite;
         sums->excess |= thread->excess && spread->sums_due;
-        sums->slack = thread->look ? fmin(sums->slack, thread->slack) : sums->slack;
+        sums->used_up |= thread->used_up;
         if (self->near.ledger) {
             merge_dissipated(&sums->dissipated, &thread->dissipated);
             thread->dissipated = (clod_step_heat){0};
@@ -116,7 +116,7 @@ static void merge(clod_step *self)
     clod_ranks_merge(spread->ranks, spread->wall_sum, bytes, merge_sums, self);
     self->thread[0].max_speed2 = sums->max_speed2;
     self->thread[0].finite = sums->finite != 0;
-    self->thread[0].slack = sums->slack;
+    self->thread[0].used_up = sums->used_up != 0;
     self->thread[0].dissipated = sums->dissipated;
     for (int t = 0; t < self->threads && sums->excess != 0; t++) {
         self->thread[t].late = true;

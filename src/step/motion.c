@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "parallel/threads.h"
+#include "step/near_skins.h"
 #include "step/spread.h"
 
 void clod_step_move_walls(clod_step *self)
@@ -43,41 +44,60 @@ static clod_chunk my_grains(const clod_step *self, int part)
     return (clod_chunk){self->near.part_start[c.begin], self->near.part_start[c.end]};
 }
 
-/** Drift of rows; `kick_due` is the second half kick of the step before. */
-static clod_kernel_speed drift_rows(clod_step *self, clod_chunk rows, bool kick_due)
+/** What the grains of a watch can have left their courses by; where that may be more than a skin,
+ *  they are looked at. */
+static void watch_rows(clod_step *self, clod_step_thread *mine, clod_near_watch *watch,
+                       clod_chunk rows, double speed)
+{
+    watch->motion += (speed + watch->fastest) * self->state->dt;
+    if (watch->motion < watch->left) {
+        return;
+    }
+    const clod_near_seen seen =
+        clod_near_look(&self->near, self->state, mine->age, rows.begin, rows.end);
+    *watch = (clod_near_watch){.left = seen.left, .fastest = seen.fastest};
+    mine->gone += seen.gone;
+    mine->off_course += seen.off_course;
+    mine->used_up = mine->used_up || seen.left < 0.0;
+}
+
+/** Drift of rows, watch by watch; `cuts` of rows are before them. */
+static clod_kernel_speed drift_rows(clod_step *self, clod_step_thread *mine, clod_chunk rows,
+                                    size_t cuts)
 {
     clod_grains *grains = &self->state->grains;
-    return self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
-                               grains->load, kick_due ? self->state->gravity : NULL,
-                               self->state->dt, rows.begin, rows.end);
+    const double *gravity = mine->kick_due ? self->state->gravity : NULL;
+    clod_kernel_speed seen = {0.0, true};
+    size_t number = rows.begin / CLOD_NEAR_WATCHED;
+    for (size_t begin = rows.begin; begin < rows.end; number++) {
+        const size_t next = (number + 1) * CLOD_NEAR_WATCHED;
+        const size_t end = next < rows.end ? next : rows.end;
+        const clod_kernel_speed some =
+            self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
+                                grains->load, gravity, self->state->dt, begin, end);
+        seen.max_speed2 = fmax(seen.max_speed2, some.max_speed2);
+        seen.finite = seen.finite && some.finite;
+        watch_rows(self, mine, &self->near.watch[number + cuts], (clod_chunk){begin, end},
+                   sqrt(some.max_speed2));
+        begin = end;
+    }
+    return seen;
 }
 
 /** The same of the own rows among them. */
-static clod_kernel_speed drift_own(clod_step *self, clod_chunk rows, bool kick_due)
+static clod_kernel_speed drift_own(clod_step *self, clod_step_thread *mine, clod_chunk rows,
+                                   size_t cuts)
 {
     clod_kernel_speed seen = {0.0, true};
     for (size_t k = 0; k < self->spread->runs; k++) {
         const clod_chunk run = clod_spread_run(self->spread, k, rows);
         if (run.begin < run.end) {
-            const clod_kernel_speed some = drift_rows(self, run, kick_due);
+            const clod_kernel_speed some = drift_rows(self, mine, run, cuts + k);
             seen.max_speed2 = fmax(seen.max_speed2, some.max_speed2);
             seen.finite = seen.finite && some.finite;
         }
     }
     return seen;
-}
-
-/** What is left of the own skins of own rows among these: the least [m]. */
-static double slack_of_own(const clod_step *self, clod_chunk rows)
-{
-    double least = INFINITY;
-    for (size_t k = 0; k < self->spread->runs; k++) {
-        const clod_chunk run = clod_spread_run(self->spread, k, rows);
-        if (run.begin < run.end) {
-            least = fmin(least, clod_near_slack(&self->near, self->state, run.begin, run.end));
-        }
-    }
-    return least;
 }
 
 void clod_step_drift(clod_step *self, int part)
@@ -90,14 +110,14 @@ void clod_step_drift(clod_step *self, int part)
         memcpy(grains->before[c.begin], grains->load[c.begin],
                (c.end - c.begin) * sizeof *grains->load);
     }
-    const clod_kernel_speed seen = self->spread == NULL ? drift_rows(self, c, mine->kick_due)
-                                                        : drift_own(self, c, mine->kick_due);
+    mine->age += self->state->dt;
+    mine->used_up = false;
+    const clod_kernel_speed seen = self->spread == NULL
+                                       ? drift_rows(self, mine, c, (size_t)part)
+                                       : drift_own(self, mine, c, (size_t)part);
     mine->kick_due = true; // this step's second half kick, when its forces are there
     mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite;
-    if (mine->look) {
-        mine->slack = slack_of_own(self, c);
-    }
     if (part == 0 &&
         self->spread == NULL) { // else stage ghosts does, when it knows their speed
         clod_step_move_walls(self);

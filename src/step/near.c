@@ -8,6 +8,7 @@
 #include "step/near_between.h"
 #include "step/near_known.h"
 #include "step/near_parts.h"
+#include "step/near_skins.h"
 #include "step/near_walk.h"
 #include "step/near_walls.h"
 #include "step/touch.h"
@@ -20,74 +21,25 @@
 /** an origin and an own skin in float, both at most half of the wide skin, as a part of that. */
 #define FLOAT_ROUNDING 1e-7
 
-/** Items [begin, end) of so many that are a part's to look at before there is a cut. */
-static size_t share_of(size_t count, int part, int parts)
+clod_chunk clod_near_share(size_t count, int part, int parts)
 {
-    return count * (size_t)part / (size_t)parts;
-}
-
-void clod_near_choose_skins(const clod_near_job *job, int part)
-{
-    const clod_near_skins *skins = &job->skins;
-    const clod_grains *grains = &job->state->grains;
-    const int parts = job->near->parts;
-    const size_t end = share_of(grains->count, part + 1, parts);
-    for (size_t g = share_of(grains->count, part, parts); g < end; g++) {
-        const double *v = grains->velocity[g];
-        const double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        job->near->skin[g] = (float)fmin(skins->least + skins->time * speed, skins->most);
-    }
-}
-
-void clod_near_note(const clod_near_job *job, int part)
-{
-    const clod_grains *grains = &job->state->grains;
-    const double(*built)[4] = clod_neighbour_places(job->neighbour, job->state);
-    const int parts = job->near->parts;
-    const size_t end = share_of(grains->count, part + 1, parts);
-    for (size_t g = share_of(grains->count, part, parts); g < end; g++) {
-        for (int a = 0; a < 3; a++) {
-            job->near->origin[g][a] = (float)(grains->position[g][a] - built[g][a]);
-        }
-    }
-}
-
-double clod_near_slack(const clod_near *self, const clod_state *state, size_t begin, size_t end)
-{
-    double least = INFINITY;
-    for (size_t g = begin; g < end; g++) {
-        const double *p = state->grains.position[g], *built = state->build_position[g];
-        const float *origin = self->origin[g];
-        const double x = p[0] - built[0] - (double)origin[0];
-        const double y = p[1] - built[1] - (double)origin[1];
-        const double z = p[2] - built[2] - (double)origin[2];
-        const double left = (double)self->skin[g] - sqrt(x * x + y * y + z * z);
-        least = left < least ? left : least;
-    }
-    return least - self->rounding;
-}
-
-/** Own skin of a grain. */
-static double skin_of(const clod_near_job *job, size_t grain)
-{
-    return (double)job->near->skin[grain];
+    return (clod_chunk){count * (size_t)part / (size_t)parts,
+                        count * (size_t)(part + 1) / (size_t)parts};
 }
 
 static bool pair_is_near(const clod_near_job *job, size_t i, size_t j)
 {
     const clod_domain *domain = &job->state->domain;
     const double *a = job->state->grains.position[i], *b = job->state->grains.position[j];
-    const double x = clod_domain_separation(domain, 0, a[0], b[0]);
-    const double y = clod_domain_separation(domain, 1, a[1], b[1]);
-    const double z = clod_domain_separation(domain, 2, a[2], b[2]);
-    const double reach = a[3] + b[3] + skin_of(job, i) + skin_of(job, j);
-    return x * x + y * y + z * z < reach * reach;
+    return clod_near_can_touch(job, i, j, clod_domain_separation(domain, 0, a[0], b[0]),
+                               clod_domain_separation(domain, 1, a[1], b[1]),
+                               clod_domain_separation(domain, 2, a[2], b[2]));
 }
 
 static bool wall_is_near(const clod_near_job *job, const clod_wall_candidate *c)
 {
     const double *p = job->state->grains.position[c->i];
-    const double reach = p[3] + skin_of(job, (size_t)c->i) + job->skins.wall;
+    const double reach = p[3] + clod_near_reach(job, (size_t)c->i) + job->skins.wall;
     return clod_wall_rows_patch(job->walls, c->wall, c->shape)->surface != NULL
                ? clod_wall_mesh_mark(&job->neighbour->walls, c, job->walls, p, reach)
                : clod_wall_rows_is_near(job->walls, c->wall, c->shape, p, reach);
@@ -106,8 +58,8 @@ void clod_near_mark(const clod_near_job *job, int part)
     const clod_state *state = job->state;
     const clod_pairs *pairs = &job->neighbour->pairs;
     const int parts = job->near->parts;
-    const size_t end = share_of(state->grains.count, part + 1, parts);
-    for (size_t i = share_of(state->grains.count, part, parts); i < end; i++) {
+    const clod_chunk rows = clod_near_share(state->grains.count, part, parts);
+    for (size_t i = rows.begin; i < rows.end; i++) {
         for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
             const size_t j = pairs->item[k].j;
             const bool near = pair_is_near(job, i, j);
@@ -118,8 +70,8 @@ void clod_near_mark(const clod_near_job *job, int part)
         }
     }
     const clod_wall_candidates *walls = &job->neighbour->walls;
-    const size_t last = share_of(walls->count, part + 1, parts);
-    for (size_t k = share_of(walls->count, part, parts); k < last; k++) {
+    const clod_chunk items = clod_near_share(walls->count, part, parts);
+    for (size_t k = items.begin; k < items.end; k++) {
         clod_wall_candidate *c = &walls->item[k];
         c->near = wall_is_near(job, c);
         if (c->near != 0) {
@@ -278,6 +230,11 @@ static bool allocate(clod_near *self)
     return good;
 }
 
+static size_t watches_of(const clod_near_job *job)
+{
+    return clod_near_watches(job->state->grains.count, (size_t)job->near->parts + job->runs);
+}
+
 /** Room for what follows from the numbers of grains and walls. */
 static bool reserve(const clod_near_job *job)
 {
@@ -287,6 +244,10 @@ static bool reserve(const clod_near_job *job)
                          sizeof *self->skin) &&
            clod_room_for(&self->origin, &self->origin_capacity, job->state->grains.count,
                          sizeof *self->origin) &&
+           clod_room_for(&self->course, &self->course_capacity, job->state->grains.count,
+                         sizeof *self->course) &&
+           clod_room_for(&self->watch, &self->watch_capacity, watches_of(job),
+                         sizeof *self->watch) &&
            clod_room_for(&self->sum_start, &self->sum_start_capacity, walls + 1,
                          sizeof *self->sum_start) &&
            clod_room_for(&self->part_sum, &self->part_sum_capacity,
@@ -300,7 +261,8 @@ bool clod_near_begin(const clod_near_job *job, clod_status *status)
     clod_near *self = job->near;
     self->wall_skin = job->skins.wall;
     self->rounding = ROUNDING * job->skins.largest + FLOAT_ROUNDING * job->neighbour->skin;
-    self->least_skin = fmin(job->skins.least, job->skins.wall) - 2.0 * self->rounding;
+    self->follow = job->skins.follow;
+    self->horizon = job->skins.horizon;
     self->made = false;
     bool good = self->part_start != NULL;
     if (!good) {
@@ -324,6 +286,7 @@ void clod_near_end(const clod_near_job *job)
     clod_near_give_back(state->contacts, room, 0, room);
     state->contact_count = state->wall_contact_count = 0;
     clod_near_between_make(job->near);
+    memset(job->near->watch, 0, watches_of(job) * sizeof *job->near->watch); // look at all soon
     job->near->made = true;
 }
 
@@ -346,6 +309,8 @@ void clod_near_give_skins_back(clod_near *self)
     const size_t origins = self->origin_capacity * sizeof *self->origin;
     clod_memory_give_back(self->skin, skins, skins);
     clod_memory_give_back(self->origin, origins, origins);
+    const size_t courses = self->course_capacity * sizeof *self->course;
+    clod_memory_give_back(self->course, courses, courses);
 }
 
 bool clod_near_make(const clod_near_job *job, clod_status *status)
@@ -394,6 +359,8 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->part_start);
     clod_memory_free(self->skin);
     clod_memory_free(self->origin);
+    clod_memory_free(self->course);
+    clod_memory_free(self->watch);
     clod_memory_free(self->weight);
     clod_memory_free(self->wall_sum);
     clod_memory_free(self->sum_start);

@@ -55,13 +55,23 @@ typedef struct clod_near_range {
     size_t wall, walls;
 } clod_near_range;
 
+/** What is known of a run of rows since they were last looked at (near_skins.h). */
+typedef struct clod_near_watch {
+    double left;    ///< m, no more than the least that was left of a skin then
+    double motion;  ///< m, no less than what a grain can have left its course by since
+    double fastest; ///< m/s, of their courses
+} clod_near_watch;
+
 typedef struct clod_near {
-    float *skin;        ///< [grains] m, by which each may move: its own skin
+    float *skin;        ///< [grains] m, by which each may leave its course: its own skin
     float (*origin)[3]; ///< [grains] m, where each was then, from its place at the last rebuild
-    size_t skin_capacity, origin_capacity;
-    double rounding;   ///< m, no less than what the two above are wrong by
-    double wall_skin;  ///< m, by which walls may move
-    double least_skin; ///< m, no more than any skin, of grains or walls
+    float (*course)[3]; ///< [grains] m/s, as each moved then
+    clod_near_watch *watch; ///< [rows and cuts: clod_near_watches]
+    size_t skin_capacity, origin_capacity, course_capacity, watch_capacity;
+    bool follow;      ///< grains are expected to go on along their courses; else to stay
+    double horizon;   ///< s, that the list holds at most when they are
+    double rounding;  ///< m, no less than what the two above are wrong by
+    double wall_skin; ///< m, by which walls may move
     int32_t laws;
     int parts;          ///< set before the first list
     size_t *part_start; ///< [parts + 1] first grain of each part
@@ -121,11 +131,13 @@ static inline size_t clod_near_sources(const clod_near *self)
     return (size_t)self->laws * most;
 }
 
-/** What the own skin of each grain follows from: it may move by that until a list is made anew
- *  (docs/adr/0037). */
+/** What the own skin of each grain follows from: it may leave its course by that until a list is
+ *  made anew (docs/adr/0037, 0044). */
 typedef struct clod_near_skins {
     double time;        ///< s, a grain's speed times this
     double least, most; ///< m, and the first added, at most the second
+    bool follow;        ///< grains are expected to go on along their courses; else to stay
+    double horizon;     ///< s, that the list holds at most when they are
     double wall;        ///< m, the same of walls
     double largest;     ///< m, radius of the largest grain
 } clod_near_skins;
@@ -138,6 +150,7 @@ typedef struct clod_near_job {
     const clod_laws *laws;
     const clod_wall_rows *walls; ///< where they are now
     clod_near_skins skins;
+    size_t runs; ///< of rows that are this rank's own; 1 without ranks
 } clod_near_job;
 
 /**
@@ -149,23 +162,17 @@ typedef struct clod_near_job {
  * Errors  CLOD_FAILED.   Test  tests/step/test_near_parts.c, test_same_bits.c
  */
 bool clod_near_begin(const clod_near_job *job, clod_status *status);
-void clod_near_choose_skins(const clod_near_job *job, int part); ///< of the grains
-void clod_near_mark(const clod_near_job *job, int part);         ///< which candidates are near
-void clod_near_cut(const clod_near_job *job); ///< parts of about the same work
+void clod_near_mark(const clod_near_job *job, int part); ///< which candidates are near
+void clod_near_cut(const clod_near_job *job);            ///< parts of about the same work
 void clod_near_count(const clod_near_job *job, int part);
 bool clod_near_layout(const clod_near_job *job, clod_status *status); ///< and all walls
 void clod_near_place(const clod_near_job *job, int part);
-void clod_near_note(const clod_near_job *job, int part); ///< where the grains are
 void clod_near_end(const clod_near_job *job);
 
-/**
- * What is left of the own skins of grains [begin, end): the least [m]; below 0 one has moved
- * too far, and a pair that is not on the list may touch.
- */
-double clod_near_slack(const clod_near *self, const clod_state *state, size_t begin,
-                       size_t end);
+/** Items [begin, end) of so many that are a part's to look at before there is a cut. */
+clod_chunk clod_near_share(size_t count, int part, int parts);
 
-/** Give skins and origins of a large bed back to the system: the next list has new ones. */
+/** Give skins, courses and origins of a large bed back to the system: the next list has new ones. */
 void clod_near_give_skins_back(clod_near *self);
 
 /** All of that by one thread. */

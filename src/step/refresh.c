@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "parallel/threads.h"
+#include "step/near_skins.h"
 #include "step/remake.h"
 #include "step/spread.h"
 
@@ -11,14 +12,16 @@
 #define WALL_COST 4.0
 /** What of the fastest speed a slow grain may get between two lists. */
 #define SUDDEN 0.2
+/** The same, and what a grain's speed may change by, where grains follow their courses. */
+#define FOLLOW_SUDDEN 0.05
+#define FOLLOW_CHANGE 0.3
+/** Grains are expected to follow their courses when that was so much nearer to where they got than
+ *  where they began. */
+#define FOLLOW 0.5
 /** What of its speed a wall may get. */
 #define WALL_SUDDEN 1.3
 /** The thinnest skin, as a fraction of the smallest radius: next to no pairs. */
 #define NEAR_LEAST 1e-3
-
-/** How soon the grains' own skins are checked: when the fastest would use up what was left in so
- *  many steps. */
-#define AHEAD 1.1
 
 /** What skins follow from; with several ranks that of all, so that all choose the same. */
 typedef struct bed_sums {
@@ -26,6 +29,7 @@ typedef struct bed_sums {
     double grains, pairs;
     double smallest, largest; ///< m, radius
     double fastest;           ///< m/s, grain or point of a wall
+    double gone, off_course;  ///< m, of the last list
 } bed_sums;
 
 static void merge_sums(const void *context, void *into, const void *from)
@@ -39,6 +43,8 @@ static void merge_sums(const void *context, void *into, const void *from)
     mine->smallest = fmin(mine->smallest, other->smallest);
     mine->largest = fmax(mine->largest, other->largest);
     mine->fastest = fmax(mine->fastest, other->fastest);
+    mine->gone += other->gone;
+    mine->off_course += other->off_course;
 }
 
 static bed_sums sum_up(const clod_step *self, double fastest)
@@ -53,6 +59,10 @@ static bed_sums sum_up(const clod_step *self, double fastest)
     for (size_t g = 0; g < grains->count; g++) {
         const double *v = grains->velocity[g];
         sums.speeds += sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    for (int t = 0; t < self->threads; t++) {
+        sums.gone += self->thread[t].gone;
+        sums.off_course += self->thread[t].off_course;
     }
     if (self->spread != NULL) {
         clod_ranks_merge(self->spread->ranks, &sums, sizeof sums, merge_sums, NULL);
@@ -74,17 +84,21 @@ clod_near_skins clod_step_skins(const clod_step *self, double speed)
 {
     const double skin = self->neighbour.skin;
     const bed_sums bed = sum_up(self, speed);
-    const double some = SUDDEN * bed.fastest;
-    const double typical = bed.speeds / fmax(bed.grains, 1.0) + some;
+    const bool follow = bed.off_course < FOLLOW * bed.gone;
+    const double change = follow ? FOLLOW_CHANGE : 1.0;
+    const double some = (follow ? FOLLOW_SUDDEN : SUDDEN) * bed.fastest;
+    const double typical = change * bed.speeds / fmax(bed.grains, 1.0) + some;
     // pairs within a skin are taken to grow with it
     const double time = typical > 0.0 ? sqrt(LIST_COST * bed.grains * self->state->dt * skin /
                                              (2.0 * typical * fmax(bed.pairs, 1.0)))
                                       : 0.0;
     const double least = 0.5 * NEAR_LEAST * bed.smallest, most = 0.5 * skin;
     const double walls = WALL_SUDDEN * time * wall_speed(&self->state->walls, &self->walls);
-    return (clod_near_skins){.time = time,
+    return (clod_near_skins){.time = change * time,
                              .least = fmin(fmax(least, time * some), most),
                              .most = most,
+                             .follow = follow,
+                             .horizon = time,
                              .wall = fmin(fmax(least, walls), most),
                              .largest = bed.largest};
 }
@@ -92,55 +106,20 @@ clod_near_skins clod_step_skins(const clod_step *self, double speed)
 void clod_step_begin_motion(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
-    mine->near_motion = mine->wall_motion = 0.0;
-    mine->near_slack = self->near.least_skin;
-    mine->look = false;
+    mine->age = mine->wall_motion = 0.0;
+    mine->gone = mine->off_course = 0.0;
+    mine->used_up = false;
 }
 
-/** The least that is left of a skin on any rank, to that of thread 0. */
-static void least_of_ranks(clod_step *self, int part)
+/** Whether a grain or a wall has moved by more than its skin, or the list is too old. */
+static bool is_used_up(const clod_step *self, const clod_step_thread *mine)
 {
-    if (part == 0) {
-        double least = self->near.wall_skin - self->thread[0].wall_motion;
-        for (int t = 0; t < self->threads; t++) {
-            least = fmin(least, self->thread[t].slack);
-        }
-        self->thread[0].slack = clod_spread_least(self->spread, least);
-    }
-    clod_barrier_wait(&self->barrier);
-}
-
-/** Look what is left of all skins; each thread checks its grains. */
-static void look_now(clod_step *self, int part)
-{
-    clod_step_thread *mine = &self->thread[part];
-    const clod_chunk parts = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
-    mine->slack = clod_near_slack(&self->near, self->state, self->near.part_start[parts.begin],
-                                  self->near.part_start[parts.end]);
-    clod_barrier_wait(&self->barrier);
-    if (self->spread != NULL) { // ranks look together, and make lists together
-        least_of_ranks(self, part);
-    }
-    mine->near_motion = 0.0;
-    mine->near_slack = self->near.wall_skin - mine->wall_motion;
+    bool used_up = mine->wall_motion > self->near.wall_skin ||
+                   (self->near.follow && mine->age > self->near.horizon);
     for (int t = 0; t < self->threads; t++) {
-        mine->near_slack = fmin(mine->near_slack, self->thread[t].slack);
+        used_up = used_up || self->thread[t].used_up;
     }
-}
-
-/** Whether a grain or a wall has moved by more than its skin. Ranks that have looked in drift know it
- *  since stage ghosts; where something got fast at once they ask each other here. */
-static bool is_used_up(clod_step *self, int part)
-{
-    clod_step_thread *mine = &self->thread[part];
-    if (mine->look) {
-        mine->near_motion = 0.0;
-        mine->near_slack =
-            fmin(self->thread[0].slack, self->near.wall_skin - mine->wall_motion);
-    } else if (mine->near_motion > mine->near_slack) {
-        look_now(self, part);
-    }
-    return mine->near_slack < 0.0;
+    return used_up;
 }
 
 /** Every thread takes the same decision from the same numbers; all make the lists. */
@@ -156,7 +135,6 @@ void clod_step_near(clod_step *self, int part)
     mine->all_finite = finite;
     const double speed = sqrt(speed2);
     mine->build_motion += speed * self->state->dt;
-    mine->near_motion += speed * self->state->dt;
     const bool again = 2.0 * mine->build_motion > self->neighbour.skin;
     mine->wall_motion += self->thread[0].wall_speed * self->state->dt;
     const size_t grains =
@@ -164,7 +142,7 @@ void clod_step_near(clod_step *self, int part)
     if (!finite || grains == 0) { // what is not finite cannot be sorted; the next change makes
         return;                   // lists of grains that come
     }
-    if (again || is_used_up(self, part)) {
+    if (again || is_used_up(self, mine)) {
         if (part == 0) {
             clod_remake_begin(self, again, speed);
         }
@@ -173,6 +151,4 @@ void clod_step_near(clod_step *self, int part)
         clod_step_begin_motion(self, part);
         mine->build_motion = again ? 0.0 : mine->build_motion;
     }
-    const double next = mine->near_motion + AHEAD * speed * self->state->dt;
-    mine->look = self->spread != NULL && next > mine->near_slack;
 }

@@ -7,6 +7,7 @@
 #include "parallel/threads.h"
 #include "state/alter.h"
 #include "step/derived.h"
+#include "step/near_skins.h"
 #include "step/remake_order.h"
 #include "step/spread.h"
 
@@ -18,7 +19,8 @@ static clod_near_job job_of(clod_step *self)
                            .state = self->state,
                            .laws = self->laws,
                            .walls = &self->walls,
-                           .skins = clod_step_skins(self, self->remake.speed)};
+                           .skins = clod_step_skins(self, self->remake.speed),
+                           .runs = self->spread != NULL ? self->spread->runs : 1};
 }
 
 // ---- the phases, in the order of the table below

@@ -60,19 +60,18 @@ typedef struct clod_step_stored {
 typedef struct clod_step_thread {
     _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
     double build_motion;            ///< m, bound of any motion since the last rebuild
-    double near_motion; ///< m, the same since the grains' own skins were last checked
-    double near_slack;  ///< m, least left of any of them then
-    double wall_motion; ///< m, bound of walls' motion since the last near list
-    double wall_speed;  ///< m/s, fastest of walls in this step (thread 0)
-    double slack;       ///< m, least left of the own skins of its grains now
-    bool look;          ///< with ranks: these are checked in the next step, see stage drift
-    bool finite;        ///< its grains' numbers
-    bool all_finite;    ///< those of all threads in this step
-    bool excess;        ///< an overlap beyond the laws' range, with its contacts in this step
-    bool late;          ///< the same with any thread or rank in a step before
-    bool noted;         ///< it has been, in this advance
-    bool stop;          ///< physics went wrong, with any thread: this step is the last
-    bool kick_due;      ///< its grains' second half kick is still to be done
+    double age;                     ///< s, of the near list
+    double gone, off_course; ///< m, sums of what looks have seen since then (near_skins.h)
+    double wall_motion;      ///< m, bound of walls' motion since the last near list
+    double wall_speed;       ///< m/s, fastest of walls in this step (thread 0)
+    bool used_up;            ///< a grain of its has moved by more than its own skin
+    bool finite;             ///< its grains' numbers
+    bool all_finite;         ///< those of all threads in this step
+    bool excess;   ///< an overlap beyond the laws' range, with its contacts in this step
+    bool late;     ///< the same with any thread or rank in a step before
+    bool noted;    ///< it has been, in this advance
+    bool stop;     ///< physics went wrong, with any thread: this step is the last
+    bool kick_due; ///< its grains' second half kick is still to be done
     clod_step_heat dissipated; ///< by its contacts in this step, with the ledger
 } clod_step_thread;
 

@@ -206,7 +206,6 @@ static void the_thin_skin_does_not_matter(void **state)
         scene_open_ledger(&b);
         for (int k = 0; k < STEPS; k++) {
             b.step.near.wall_skin = -1.0;
-            b.step.thread[0].near_slack = -1.0; // so it is looked at
             scene_run(&b, 1);
         }
         assert_true(clod_step_export(&b.step, &status));

@@ -1,10 +1,11 @@
-// How far grains may go by the near list, from their speeds when it is made, and the skin of the
-// candidates, from the fastest speed.
+// How far grains may go by the near list, or leave their courses, from their speeds when it is made,
+// and the skin of the candidates, from the fastest speed.
 
 #include <math.h>
 #include <string.h>
 
 #include "base/random.h"
+#include "step/near_skins.h"
 #include "support/scene.h"
 
 #define DT 1e-6
@@ -88,7 +89,8 @@ static void the_first_list_knows_the_speed_of_walls(void **state)
     scene_end(&s);
 }
 
-/** A list lasts until a grain has moved by more than its skin, and no longer. */
+/** A list lasts until a grain has moved by more than its skin, and no longer. Grains that have gone
+ *  straight on are expected to: then until one leaves its course, or until the list ends. */
 static void a_list_lasts_for_the_skin(void **state)
 {
     (void)state;
@@ -96,14 +98,24 @@ static void a_list_lasts_for_the_skin(void **state)
     two_grains(&s, 0.1, false);
     scene_run(&s, 1318); // 1.2 x 1099.35 steps
     assert_int_equal(s.step.refreshes, 0);
+    assert_false(s.step.near.follow);
     scene_run(&s, 2);
     assert_int_equal(s.step.refreshes, 1);
-    const size_t slow = 1 - faster_of(&s);
-    scene_move(&s, slow, 0.0, 0.0, 0.2); // its skin is a sixth of the other's
-    scene_run(&s, 108);
+    assert_true(s.step.near.follow);
+    // sqrt(47 x 2 grains x 1 us x 1.8 mm / (2 x (0.3 x 0.05 + 0.05 x 0.1) m/s x 1 pair))
+    check_relative(s.step.near.horizon, 2.05670e-3, 1e-5);
+    const size_t fast = faster_of(&s);
+    check_relative(skin_of(&s, fast), (0.3 + 0.05) * 0.1 * 2.05670e-3, 1e-5);
+    check_relative(skin_of(&s, 1 - fast), 0.05 * 0.1 * 2.05670e-3, 1e-5);
+    scene_run(&s, 2055);
     assert_int_equal(s.step.refreshes, 1);
-    scene_run(&s, 3);
+    scene_run(&s, 2);
     assert_int_equal(s.step.refreshes, 2);
+    scene_move(&s, 1 - fast, 0.0, 0.0, 0.2);
+    scene_run(&s, 50); // 51.4 steps
+    assert_int_equal(s.step.refreshes, 2);
+    scene_run(&s, 3);
+    assert_int_equal(s.step.refreshes, 3);
     scene_end(&s);
 }
 
@@ -194,6 +206,54 @@ static void what_touches_is_on_the_list(void **state)
     }
 }
 
+/** Four layers of grains that meet, in free flight and then in collisions: they follow their courses,
+ *  and whatever touches has been on the list before. */
+static void what_meets_is_on_the_list(void **state)
+{
+    (void)state;
+    const clod_case_contact ore = contact_ore();
+    scene s;
+    scene_init(&s, 2.0 * DT, &ore);
+    for (int g = 0; g < 64; g++) {
+        const double gap = 2.3 * RADIUS;
+        scene_grain(&s, gap * (g % 4), gap * (g / 4 % 4), RADIUS + 2.0 * gap * (g / 16),
+                    RADIUS);
+    }
+    scene_wall(&s, "floor", shape_floor(0.0));
+    for (size_t g = 0; g < 64; g++) {
+        const double z = s.state.grains.position[g][2];
+        scene_move(&s, g, 1.0, 0.05 * clod_random_uniform(3, CLOD_RANDOM_TEST, g, 0),
+                   -20.0 * z);
+    }
+    scene_start(&s);
+    int touching = 0, followed = 0;
+    for (int k = 0; k < 1000; k++) {
+        scene_run(&s, 20);
+        followed += s.step.near.follow;
+        check_complete(&s, &touching);
+    }
+    assert_true(touching > 1000 && followed > 500);
+    assert_true(s.step.refreshes > 10 && s.step.refreshes < 800);
+    scene_end(&s);
+}
+
+/** What shakes in its place is expected to stay there. */
+static void grains_that_shake_have_no_course(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.1, false);
+    const size_t fast = faster_of(&s);
+    for (int k = 0; k < 1200; k++) { // 1.2e-3 m of paths
+        scene_move(&s, fast, 0.0, k % 2 == 0 ? 0.1 : -0.1, 0.0);
+        scene_run(&s, 10);
+        assert_false(s.step.near.follow);
+    }
+    assert_int_equal(s.step.refreshes, 0);
+    assert_int_equal(s.step.rebuilds, 1); // by the sum of speeds
+    scene_end(&s);
+}
+
 /** 64 grains, each with a velocity of its own. */
 static void grains_that_go(scene *s)
 {
@@ -214,15 +274,15 @@ static void grains_that_go(scene *s)
     scene_start(s);
 }
 
-/** Positions and skins are kept in float. What is said to be left of them is never more than what is,
- *  by the positions in double, and less by no more than a millionth of the skin. */
+/** Positions, courses and skins are kept in float. What is said to be left of them is never more than
+ *  what is, by the positions in double, and less by no more than a millionth of the skin. */
 static void never_more_is_left_than_is(void **state)
 {
     (void)state;
     scene s;
     grains_that_go(&s);
     double from[64][4];
-    int64_t lists = 0, checks = 0;
+    int64_t lists = 0, checks[2] = {0, 0}, began = 0;
     const size_t size = sizeof from;
     memcpy(from, s.state.grains.position, size);
     for (int k = 0; k < 4000; k++) {
@@ -230,18 +290,27 @@ static void never_more_is_left_than_is(void **state)
         if (s.step.refreshes + s.step.rebuilds > lists) {
             lists = s.step.refreshes + s.step.rebuilds;
             memcpy(from, s.state.grains.position, size);
+            began = s.state.step;
         }
-        for (size_t g = 0; g < 64 && s.step.refreshes > 0; g++) {
+        const double age = (double)(s.state.step - began) * DT;
+        for (size_t g = 0; g < 64; g++) {
             const clod_vec3 now = clod_vec3_of(s.state.grains.position[g]);
-            const double gone = clod_vec3_length(clod_vec3_sub(now, clod_vec3_of(from[g])));
-            const double left = skin_of(&s, g) - gone;
-            const double said = clod_near_slack(&s.step.near, &s.state, g, g + 1);
-            assert_true(said < left);
-            assert_true(said > left - 1e-6 * s.step.neighbour.skin);
-            checks++;
+            const float *u = s.step.near.course[g];
+            const clod_vec3 course = {(double)u[0], (double)u[1], (double)u[2]};
+            const clod_vec3 expected = clod_vec3_add(
+                clod_vec3_of(from[g]), clod_vec3_scale(course, s.step.near.follow ? age : 0.0));
+            const double off = clod_vec3_length(clod_vec3_sub(now, expected));
+            const double left = skin_of(&s, g) - off;
+            const clod_near_seen seen = clod_near_look(&s.step.near, &s.state, age, g, g + 1);
+            assert_true(seen.left < left);
+            assert_true(seen.left > left - 1e-6 * s.step.neighbour.skin);
+            check_relative(seen.fastest, s.step.near.follow ? clod_vec3_length(course) : 0.0,
+                           1e-15);
+            checks[s.step.near.follow]++;
         }
     }
-    assert_true(s.step.refreshes > 1 && s.step.rebuilds > 0 && checks > 1000);
+    assert_true(s.step.refreshes > 1 && s.step.rebuilds > 0);
+    assert_true(checks[0] > 1000 && checks[1] > 1000);
     scene_end(&s);
 }
 
@@ -292,6 +361,8 @@ int main(void)
         cmocka_unit_test(a_list_lasts_for_the_skin),
         cmocka_unit_test(they_are_shorter_among_many_candidates),
         cmocka_unit_test(what_touches_is_on_the_list),
+        cmocka_unit_test(what_meets_is_on_the_list),
+        cmocka_unit_test(grains_that_shake_have_no_course),
         cmocka_unit_test(never_more_is_left_than_is),
         cmocka_unit_test(the_wide_skin_goes_with_the_root_of_the_speed),
         cmocka_unit_test(the_wide_skin_is_part_of_the_state),

@@ -1,0 +1,80 @@
+#pragma once
+/**
+ * @file near_skins.h
+ * How long a near list holds: each grain has a course, the way that it is expected to go, and a skin
+ * of its own, by which it may leave it. A run of rows is looked at only when its grains may have
+ * used up a skin (docs/adr/0037, 0044).
+ */
+
+#include <math.h>
+
+#include "step/near.h"
+
+/** Most rows of a watch; it begins where their number is divided by that. */
+#define CLOD_NEAR_WATCHED 64
+
+/** What a look at some grains tells. */
+typedef struct clod_near_seen {
+    double left; ///< m, least left of their skins; below 0 a pair that is not listed may touch
+    double fastest;    ///< m/s, of their courses
+    double gone;       ///< m, sum of the ways from where they were when the list was made
+    double off_course; ///< m, sum of the ways from where they were expected now
+} clod_near_seen;
+
+void clod_near_choose_skins(const clod_near_job *job, int part); ///< of the grains, and courses
+void clod_near_note(const clod_near_job *job, int part);         ///< where the grains are
+
+/** Watches of so many rows, cut by parts and by runs of own rows. */
+static inline size_t clod_near_watches(size_t rows, size_t cuts)
+{
+    return rows / CLOD_NEAR_WATCHED + cuts + 1;
+}
+
+/**
+ * Look at grains [begin, end).
+ *
+ * @param age  s, of the list
+ * Errors  none.   Threads  pure.   Source  docs/adr/0044.   Test  tests/step/test_thin_skin.c
+ */
+clod_near_seen clod_near_look(const clod_near *self, const clod_state *state, double age,
+                              size_t begin, size_t end);
+
+/** How far a grain can be from its place of now while the list holds [m]. */
+static inline double clod_near_reach(const clod_near_job *job, size_t grain)
+{
+    const double skin = (double)job->near->skin[grain];
+    if (!job->near->follow) {
+        return skin;
+    }
+    const float *u = job->near->course[grain];
+    const double x = (double)u[0], y = (double)u[1], z = (double)u[2];
+    return skin + job->skins.horizon * sqrt(x * x + y * y + z * z);
+}
+
+/**
+ * Whether two grains can touch while the list holds: their courses bring them nearer to each other
+ * than radii and skins.
+ *
+ * @param x, y, z  m, of grain i less that of grain j
+ */
+static inline bool clod_near_can_touch(const clod_near_job *job, size_t i, size_t j, double x,
+                                       double y, double z)
+{
+    const clod_near *near = job->near;
+    const double(*at)[4] = (const double(*)[4])job->state->grains.position;
+    const double reach = at[i][3] + at[j][3] + (double)near->skin[i] + (double)near->skin[j];
+    if (near->follow) {
+        const float *a = near->course[i], *b = near->course[j];
+        const double u = (double)a[0] - (double)b[0], v = (double)a[1] - (double)b[1],
+                     w = (double)a[2] - (double)b[2];
+        const double closing = -(x * u + y * v + z * w), square = u * u + v * v + w * w;
+        if (closing > 0.0) { // where they are nearest, if that is before the list ends
+            const double time =
+                closing < job->skins.horizon * square ? closing / square : job->skins.horizon;
+            x += time * u;
+            y += time * v;
+            z += time * w;
+        }
+    }
+    return x * x + y * y + z * z < reach * reach;
+}
