@@ -2,8 +2,8 @@
 /**
  * @file near.h
  * The pairs of the force loop, as blocks of one law each: candidates that can touch before one of
- * the two grains has moved by more than its own skin. Made anew when a grain has. Pairs that do not
- * touch add exactly zero, so the list itself never changes a bit.
+ * the two grains has left its course by more than its own skin. Made anew when a grain has. Pairs
+ * that do not touch add exactly zero, so the list itself never changes a bit.
  *
  * The grains are cut into parts, runs of rows with about as much work each, one part for each
  * thread. Blocks lie in groups: for each part and law the contacts within the part, then for

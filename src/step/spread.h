@@ -32,7 +32,7 @@ typedef struct clod_spread_sums {
     _Alignas(64) double max_speed2; ///< m2/s2, of the grains as they drift
     int64_t finite;                 ///< whether their numbers are
     int64_t excess;                 ///< an overlap beyond the laws' range, in the step before
-    int64_t used_up;                ///< a grain has moved by more than its own skin
+    int64_t used_up;                ///< a grain has left its course by more than its own skin
     clod_step_heat dissipated;      ///< in the step before; sent with the ledger only
 } clod_spread_sums;
 

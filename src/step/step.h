@@ -64,7 +64,7 @@ typedef struct clod_step_thread {
     double gone, off_course; ///< m, sums of what looks have seen since then (near_skins.h)
     double wall_motion;      ///< m, bound of walls' motion since the last near list
     double wall_speed;       ///< m/s, fastest of walls in this step (thread 0)
-    bool used_up;            ///< a grain of its has moved by more than its own skin
+    bool used_up;            ///< a grain of its has left its course by more than its skin
     bool finite;             ///< its grains' numbers
     bool all_finite;         ///< those of all threads in this step
     bool excess;   ///< an overlap beyond the laws' range, with its contacts in this step
