@@ -38,8 +38,9 @@ static bool pair_is_near(const clod_near_job *job, size_t i, size_t j)
 
 static bool wall_is_near(const clod_near_job *job, const clod_wall_candidate *c)
 {
-    const double *p = job->state->grains.position[c->i];
-    const double reach = p[3] + clod_near_reach(job, (size_t)c->i) + job->skins.wall;
+    double p[3];
+    const double range = clod_near_middle(job, (size_t)c->i, p);
+    const double reach = job->state->grains.position[c->i][3] + range + job->skins.wall;
     return clod_wall_rows_patch(job->walls, c->wall, c->shape)->surface != NULL
                ? clod_wall_mesh_mark(&job->neighbour->walls, c, job->walls, p, reach)
                : clod_wall_rows_is_near(job->walls, c->wall, c->shape, p, reach);

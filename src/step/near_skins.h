@@ -39,16 +39,24 @@ static inline size_t clod_near_watches(size_t rows, size_t cuts)
 clod_near_seen clod_near_look(const clod_near *self, const clod_state *state, double age,
                               size_t begin, size_t end);
 
-/** How far a grain can be from its place of now while the list holds [m]. */
-static inline double clod_near_reach(const clod_near_job *job, size_t grain)
+/**
+ * Where a grain can be while the list holds: within so much of a place, the middle of its course.
+ *
+ * @param middle  [out] m
+ * @return        m
+ */
+static inline double clod_near_middle(const clod_near_job *job, size_t grain, double middle[3])
 {
-    const double skin = (double)job->near->skin[grain];
-    if (!job->near->follow) {
-        return skin;
+    const double *p = job->state->grains.position[grain];
+    const float *course = job->near->course[grain];
+    const double half = job->near->follow ? 0.5 * job->skins.horizon : 0.0;
+    double square = 0.0;
+    for (int a = 0; a < 3; a++) {
+        const double way = half * (double)course[a];
+        middle[a] = p[a] + way;
+        square += way * way;
     }
-    const float *u = job->near->course[grain];
-    const double x = (double)u[0], y = (double)u[1], z = (double)u[2];
-    return skin + job->skins.horizon * sqrt(x * x + y * y + z * z);
+    return (double)job->near->skin[grain] + sqrt(square);
 }
 
 /**
