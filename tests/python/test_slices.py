@@ -149,6 +149,21 @@ class Slices(clod.Case):
         self.assertIn("Field bed: no cell of its slice was reached by anything. Plane y = 32.5 mm: layer 3 of 5 of the grid's "
                       "cells across y; gravity lies in it.", "".join(page.words))
 
+    def test_a_large_slice_is_thinned(self):
+        """Of 200 x 150 cells one of each 2 x 2 is shown, the second of both, as large as the four."""
+        self.by_hand(cells=[200, 1, 150])
+        cells = [(i, 0, k) for k in range(150) for i in range(200)]
+        ones = [1.0] * len(cells)
+        write_field(self.path("run/field_bed.hdf"), cells, density=[i + 1000.0 * k for i, j, k in cells], pressure=ones,
+                    velocity=[(0.0, 0.0, 0.0)] * len(cells), coordination=ones)
+        page = self.report()
+        given = page.figures["field-bed-density"]["map"]
+        self.assertEqual((given["columns"], given["rows"]), ("100", "75"))
+        self.assertEqual([float(x) for x in given["step"]], [0.01, 0.01])
+        self.assertEqual([float(x) for x in given["numbers"]], [2 * c + 1 + 1000.0 * (2 * r + 1) for r in range(75) for c in range(100)])
+        self.assertIn("One cell of each 2 x 2 is shown, as large as they.", "".join(page.words))
+        self.assertEqual(page.figures["field-bed-speed"]["curves"], [])  # nothing moves: no arrows
+
     def test_other_folders(self):
         """Of an older clod, or without the file: no slices. A file that is damaged or of another grid: an error."""
         self.by_hand()
