@@ -52,7 +52,7 @@ if(CLOD_REPORT_SCRIPTS)
       DEPENDS ${CLOD_REPORT_SOURCES} ${CLOD_REPORT_WORK}/package-lock.json
       COMMENT "Bundling the scripts of the report pages" VERBATIM)
     file(WRITE ${CLOD_REPORT_LICENCES} "")
-    foreach(package IN ITEMS plotly.js-basic-dist-min three)
+    foreach(package IN ITEMS plotly.js-cartesian-dist-min three)
       file(READ ${CLOD_REPORT_WORK}/node_modules/${package}/LICENSE text)
       file(APPEND ${CLOD_REPORT_LICENCES} "${package}\n\n${text}\n")
     endforeach()

@@ -36,6 +36,9 @@ typedef struct clod_case_field {
 #define CLOD_CASE_FIELD_LEAST 1.5
 #define CLOD_CASE_FIELD_REACH 8.0
 
+/** What samples of a mixture are told by. */
+typedef enum clod_mixing_by { CLOD_MIXING_BY_NUMBER, CLOD_MIXING_BY_MASS } clod_mixing_by;
+
 /** How well two kinds of grains are mixed (docs/mixing.md). Exactly one of material, above tells them
  *  apart. */
 typedef struct clod_case_mixing {
@@ -44,6 +47,7 @@ typedef struct clod_case_mixing {
     double cell;    ///< m, edge of a sample
     char *material; ///< of the first kind; NULL: size tells
     double above; ///< m, radius above which grains are of the first kind; 0: the material tells
+    int by;       ///< clod_mixing_by
 } clod_case_mixing;
 
 /** Angle of the surface of a heap or a slope (docs/mixing.md). */

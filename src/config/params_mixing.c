@@ -8,6 +8,10 @@
 #define M clod_case_mixing
 #define A clod_case_repose
 
+static const char *const BY[] = {[CLOD_MIXING_BY_NUMBER] = "number",
+                                 [CLOD_MIXING_BY_MASS] = "mass",
+                                 [CLOD_MIXING_BY_MASS + 1] = NULL};
+
 static bool has_material(const clod_case *whole, const void *self)
 {
     (void)whole;
@@ -60,6 +64,17 @@ static const clod_param MIXING[] = {
      .help = "Grains with a larger radius are the first kind, all others the second (one of "
              "material, above).",
      .source = "docs/mixing.md"},
+    {.key = "by",
+     .kind = CLOD_PARAM_CHOICE,
+     .need = CLOD_PARAM_OPTIONAL,
+     .choices = BY,
+     .fallback = "number",
+     .example = "mass",
+     CLOD_AT(M, by),
+     .help =
+         "Whether shares are those of the number of grains or of their mass, as a laboratory "
+         "weighs samples.",
+     .source = "Lacey 1954; Stange 1954"},
 };
 const clod_table CLOD_TABLE_MIXING = {
     .title = "Mixing indices, by name.", CLOD_ROWS(MIXING), .size = sizeof(M)};

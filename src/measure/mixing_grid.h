@@ -14,6 +14,7 @@ typedef struct clod_mixing_grid {
     int64_t cells[3]; ///< along each axis
     int64_t material; ///< of the first kind; -1: those with a radius above
     double above;     ///< m
+    double unit;      ///< kg, of masses: about that of a cell's grains
 } clod_mixing_grid;
 
 /**
@@ -25,7 +26,18 @@ typedef struct clod_mixing_grid {
 bool clod_mixing_grid_count(const clod_mixing_grid *self, const clod_survey *survey,
                             clod_mixing_sample *samples, clod_status *status);
 
+/**
+ * Weigh the grains of each cell, by its unit.
+ *
+ * @param samples  [cells of all axes] [out]
+ * Errors  CLOD_FAILED: memory, here or on another rank.   Threads  one per bed.
+ * Test    tests/cli/test_mixing.py, tests/step/test_ranks_survey.c
+ */
+bool clod_mixing_grid_weigh(const clod_mixing_grid *self, const clod_survey *survey,
+                            clod_mixing_weighed *samples, clod_status *status);
+
 /** Number of samples. Threads: pure. */
 size_t clod_mixing_grid_samples(const clod_mixing_grid *self);
 
 extern const clod_survey_way CLOD_MIXING_GRID_WAY;
+extern const clod_survey_way CLOD_MIXING_GRID_MASS_WAY;

@@ -45,7 +45,8 @@ typedef enum clod_survey_kind {
     CLOD_SURVEY_CONTACTS,     ///< clod_measure_contacts_sums; nothing is asked
     CLOD_SURVEY_GAUGES,       ///< gauge_pass.c
     CLOD_SURVEY_CONTINUUM,    ///< continuum_pass.c
-    CLOD_SURVEY_MIXING,       ///< mixing_grid.c
+    CLOD_SURVEY_MIXING,       ///< mixing_grid.c: grains counted
+    CLOD_SURVEY_MIXING_MASS,  ///< mixing_grid.c: weighed
     CLOD_SURVEY_STOCK,        ///< stock.c
     CLOD_SURVEY_STRENGTH,     ///< strength_grid.c
     CLOD_SURVEY_CLUMPS,       ///< clumps_look.c

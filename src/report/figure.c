@@ -136,6 +136,12 @@ bool clod_figure_shows(const clod_figure *self)
             }
         }
     }
+    const size_t cells = self->map.number != NULL ? self->map.columns * self->map.rows : 0;
+    for (size_t k = 0; k < cells; k++) {
+        if (isfinite(self->map.number[k])) {
+            return true;
+        }
+    }
     return false;
 }
 
@@ -147,5 +153,6 @@ void clod_figure_fini(clod_figure *self)
         clod_memory_free(self->curves[c].error);
     }
     clod_memory_free(self->curves);
+    clod_memory_free(self->map.number);
     *self = (clod_figure){0};
 }

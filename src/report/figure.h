@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file figure.h
- * A figure as data: axes and curves. Drawn by SVG (figure_svg.h), and in the page by its scripts
- * from the same numbers as JSON (figure_json.h).
+ * A figure as data: axes, curves, and a map of colours below them. Drawn by SVG (figure_svg.h), and
+ * in the page by its scripts from the same numbers as JSON (figure_json.h).
  */
 
 #include <stdbool.h>
@@ -26,6 +26,7 @@ typedef enum clod_figure_style {
     CLOD_FIGURE_DASH_DOT,
     CLOD_FIGURE_POINTS,
     CLOD_FIGURE_HOLLOW, ///< points with no filling
+    CLOD_FIGURE_ARROWS, ///< a line on a light edge, to be seen on any colour of a map
     CLOD_FIGURE_STYLES,
 } clod_figure_style;
 
@@ -46,11 +47,22 @@ typedef struct clod_figure_axis {
     double factor;
 } clod_figure_axis;
 
+/** Numbers of equal cells over a rectangle, shown by colours (figure_map.h). */
+typedef struct clod_figure_map {
+    clod_figure_axis value; ///< what the colours tell
+    size_t columns, rows;
+    double low[2];      ///< lower left corner, as in the files
+    double step[2];     ///< width and height of a cell
+    double least, most; ///< what the first and the last colour stand for, as in the files
+    double *number; ///< [rows * columns] owned, rows upwards; NaN: blank; NULL: there is no map
+} clod_figure_map;
+
 typedef struct clod_figure {
     char name[128];  ///< of its file: letters, digits and -
     char title[160]; ///< what it shows
-    char note[256];  ///< a sentence below; "": none
+    char note[400];  ///< a sentence below; "": none
     clod_figure_axis x, y;
+    clod_figure_map map;       ///< below the curves; the axes are its edges
     bool equal;                ///< both axes have the same scale
     bool from_zero;            ///< both axes begin at 0
     bool log_x;                ///< the x axis is logarithmic; its numbers are above 0
@@ -85,7 +97,7 @@ void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style s
 /** The row before the first whose x is not 0: till then a test is filled and loaded in one place. */
 size_t clod_figure_begin(const double *x, size_t rows);
 
-/** Whether any curve has a point. */
+/** Whether any curve has a point, or the map a number. */
 bool clod_figure_shows(const clod_figure *self);
 
 /** Free the content; an empty figure is fine. */

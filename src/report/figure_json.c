@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "output/series.h"
+#include "report/figure_map.h"
 
 void clod_figure_json_text(FILE *out, const char *text)
 {
@@ -53,10 +54,34 @@ static void put_axis(FILE *out, const char *name, const clod_figure_axis *axis)
     fputs("}", out);
 }
 
+/** Numbers of a map to seven digits: colours need no more. */
+static void put_map(FILE *out, const clod_figure_map *map)
+{
+    fputs(",\"map\":{\"colours\":[", out);
+    for (int k = 0; k < CLOD_FIGURE_MAP_COLOURS; k++) {
+        fprintf(out, "%s\"%s\"", k > 0 ? "," : "", CLOD_FIGURE_MAP_COLOUR[k]);
+    }
+    fputs("]", out);
+    put_axis(out, "value", &map->value);
+    put_numbers(out, "low", map->low, 2);
+    put_numbers(out, "step", map->step, 2);
+    put_numbers(out, "range", (const double[2]){map->least, map->most}, 2);
+    fprintf(out, ",\"columns\":%zu,\"rows\":%zu,\"numbers\":[", map->columns, map->rows);
+    for (size_t k = 0; k < map->columns * map->rows; k++) {
+        fputs(k > 0 ? "," : "", out);
+        if (isfinite(map->number[k])) {
+            fprintf(out, "%.7g", map->number[k]);
+        } else {
+            fputs("null", out);
+        }
+    }
+    fputs("]}", out);
+}
+
 void clod_figure_json(FILE *out, const clod_figure *figure)
 {
-    static const char *const STYLES[CLOD_FIGURE_STYLES] = {"line",    "dashed", "dotted",
-                                                           "dashdot", "points", "hollow"};
+    static const char *const STYLES[CLOD_FIGURE_STYLES] = {
+        "line", "dashed", "dotted", "dashdot", "points", "hollow", "arrows"};
     fputs("{\"name\":", out);
     clod_figure_json_text(out, figure->name);
     fputs(",\"title\":", out);
@@ -66,6 +91,9 @@ void clod_figure_json(FILE *out, const clod_figure *figure)
             figure->log_x ? "true" : "false");
     put_axis(out, "x", &figure->x);
     put_axis(out, "y", &figure->y);
+    if (figure->map.number != NULL) {
+        put_map(out, &figure->map);
+    }
     fputs(",\"curves\":[", out);
     for (size_t c = 0; c < figure->count; c++) {
         const clod_figure_curve *curve = &figure->curves[c];

@@ -24,9 +24,26 @@ static double choose_step(double range)
     return power * (ratio >= 5.0 ? 5.0 : ratio >= 2.0 ? 2.0 : 1.0);
 }
 
+/** A range as it is. */
+static clod_figure_scale scale_of(double min, double max)
+{
+    return (clod_figure_scale){.min = min, .max = max, .step = choose_step(max - min)};
+}
+
+void clod_figure_scale_colours(clod_figure_scale *self, const clod_figure_map *map)
+{
+    *self = scale_of(map->least * map->value.factor, map->most * map->value.factor);
+}
+
 void clod_figure_scale_make(clod_figure_scale *self, const clod_figure *of, bool y)
 {
     const double factor = y ? of->y.factor : of->x.factor;
+    if (of->map.number != NULL) {
+        const size_t cells = y ? of->map.rows : of->map.columns;
+        const double low = of->map.low[y];
+        *self = scale_of(low * factor, (low + (double)cells * of->map.step[y]) * factor);
+        return;
+    }
     *self = (clod_figure_scale){.min = HUGE_VAL, .max = -HUGE_VAL, .log = !y && of->log_x};
     for (size_t c = 0; c < of->count; c++) {
         const clod_figure_curve *curve = &of->curves[c];
@@ -59,14 +76,25 @@ double clod_figure_scale_at(const clod_figure_scale *self, double value)
     return (place_of(self, value) - self->min) / (self->max - self->min);
 }
 
+/** Number of the first tick, counted from 0. */
+static double first_tick(const clod_figure_scale *self)
+{
+    return ceil(self->min / self->step - 1e-9);
+}
+
 int clod_figure_scale_ticks(const clod_figure_scale *self)
 {
-    return (int)lround((self->max - self->min) / self->step) + 1;
+    return (int)(floor(self->max / self->step + 1e-9) - first_tick(self)) + 1;
+}
+
+int clod_figure_scale_stride(const clod_figure_scale *self, double length, double room)
+{
+    return (int)fmax(1.0, ceil(room * (self->max - self->min) / (self->step * length)));
 }
 
 double clod_figure_scale_tick(const clod_figure_scale *self, int k, char text[32])
 {
-    const double value = self->step * round(self->min / self->step + k);
+    const double value = self->step * (first_tick(self) + k);
     if (self->log) {
         snprintf(text, 32, "%g", pow(10.0, value));
         return pow(10.0, value);

@@ -3,12 +3,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "report/figure_map.h"
 #include "report/figure_scale.h"
 #include "report/html.h"
 
 #define WIDTH 720.0
 #define LEFT 72.0
 #define RIGHT 18.0
+#define BAR 92.0 ///< right of a map: its colour bar
 #define TOP 16.0
 #define BELOW 52.0 ///< the plot: ticks and the name of the axis
 #define ROW 20.0   ///< of the legend
@@ -52,20 +54,23 @@ static void put_axis_name(FILE *out, const clod_figure_axis *axis, double x, dou
     put_text(out, x, y, more, text);
 }
 
-static void put_ticks(FILE *out, const frame *self)
+/** Begin with the bottom of the plot for x, with its left edge for y: a line across, but for maps. */
+static void put_ticks(FILE *out, const frame *self, bool across)
 {
-    for (int k = 0; k < clod_figure_scale_ticks(&self->x); k++) {
+    const int right = clod_figure_scale_stride(&self->x, self->right - LEFT, 36.0);
+    const int up = clod_figure_scale_stride(&self->y, self->bottom - TOP, 16.0);
+    for (int k = 0; k < clod_figure_scale_ticks(&self->x); k += right) {
         char text[32];
         const double x = at_x(self, clod_figure_scale_tick(&self->x, k, text));
-        fprintf(out, "<path d=\"M%.1f %.1fV%.1f\" stroke=\"#e3e6ea\"/>\n", x, self->bottom,
-                TOP);
+        fprintf(out, "<path d=\"M%.1f %.1fV%.1f\" stroke=\"%s\"/>\n", x, self->bottom,
+                across ? TOP : self->bottom + 4.0, across ? "#e3e6ea" : "#1d2733");
         put_text(out, x, self->bottom + 18.0, " text-anchor=\"middle\"", text);
     }
-    for (int k = 0; k < clod_figure_scale_ticks(&self->y); k++) {
+    for (int k = 0; k < clod_figure_scale_ticks(&self->y); k += up) {
         char text[32];
         const double y = at_y(self, clod_figure_scale_tick(&self->y, k, text));
-        fprintf(out, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e3e6ea\"/>\n", LEFT, y,
-                self->right);
+        fprintf(out, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"%s\"/>\n", LEFT, y,
+                across ? self->right : LEFT - 4.0, across ? "#e3e6ea" : "#1d2733");
         put_text(out, LEFT - 8.0, y + 4.5, " text-anchor=\"end\"", text);
     }
 }
@@ -125,14 +130,18 @@ static const char *dashes(const clod_figure_curve *curve)
     return STYLES[curve->style] != NULL ? STYLES[curve->style] : LINES[curve->round];
 }
 
+/** @param edge  only the light edge of arrows */
 static void put_line(FILE *out, const frame *self, const clod_figure_curve *curve,
-                     const clod_figure *of)
+                     const clod_figure *of, bool edge)
 {
-    fprintf(
-        out,
-        "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" stroke-linejoin=\"round\"%s "
-        "d=\"",
-        colour_of(curve->colour), dashes(curve));
+    fprintf(out,
+            "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-linejoin=\"round\"%s "
+            "d=\"",
+            edge ? "#ffffff" : colour_of(curve->colour),
+            edge                                 ? "3.6"
+            : curve->style == CLOD_FIGURE_ARROWS ? "1.2"
+                                                 : "1.8",
+            dashes(curve));
     bool down = false; // the pen
     for (size_t i = 0; i < curve->count; i++) {
         const bool there = isfinite(curve->x[i]) && isfinite(curve->y[i]);
@@ -184,7 +193,7 @@ static int put_legend(FILE *out, const frame *self, const clod_figure *of)
 /** Ranges of the axes and size of the plot. */
 static void lay_out(frame *self, const clod_figure *of)
 {
-    self->right = WIDTH - RIGHT;
+    self->right = WIDTH - (of->map.number != NULL ? BAR : RIGHT);
     double height = 300.0;
     clod_figure_scale_make(&self->x, of, false);
     clod_figure_scale_make(&self->y, of, true);
@@ -212,11 +221,30 @@ static void put_curves(FILE *out, const frame *self, const clod_figure *of)
         if (is_marks(of->curves[c].style)) {
             put_marks(out, self, &of->curves[c], of);
         } else {
-            put_line(out, self, &of->curves[c], of);
+            if (of->curves[c].style == CLOD_FIGURE_ARROWS) {
+                put_line(out, self, &of->curves[c], of, true);
+            }
+            put_line(out, self, &of->curves[c], of, false);
             put_errors(out, self, &of->curves[c], of);
         }
     }
     fputs("</g>\n", out);
+}
+
+/** The map of a figure that has one, and its colour bar. */
+static void put_map(FILE *out, const frame *self, const clod_figure *of)
+{
+    if (of->map.number != NULL) {
+        const clod_figure_map_place place = {
+            .left = LEFT, .right = self->right, .top = TOP, .bottom = self->bottom};
+        clod_figure_map_svg(out, &of->map, &place);
+        clod_figure_map_bar(out, of->name, &of->map, &place);
+        char turned[96];
+        const double middle = 0.5 * (TOP + self->bottom), x = self->right + BAR - 12.0;
+        snprintf(turned, sizeof turned,
+                 " text-anchor=\"middle\" transform=\"rotate(-90 %.1f %.1f)\"", x, middle);
+        put_axis_name(out, &of->map.value, x, middle, turned);
+    }
 }
 
 void clod_figure_svg(FILE *out, const clod_figure *figure)
@@ -231,10 +259,14 @@ void clod_figure_svg(FILE *out, const clod_figure *figure)
             WIDTH, self.height);
     clod_html_text(out, figure->title);
     fputs("</title>\n", out);
-    put_ticks(out, &self);
+    put_map(out, &self, figure);
+    put_ticks(out, &self, figure->map.number == NULL);
     put_curves(out, &self, figure);
-    fprintf(out, "<path d=\"M%.1f %.1fV%.1fH%.1f\" fill=\"none\" stroke=\"#1d2733\"/>\n", LEFT,
-            TOP, self.bottom, self.right);
+    fprintf(out, "<path d=\"M%.1f %.1fV%.1fH%.1f", LEFT, TOP, self.bottom, self.right);
+    if (figure->map.number != NULL) { // its blank cells have the colour of the paper
+        fprintf(out, "V%.1fZ", TOP);
+    }
+    fputs("\" fill=\"none\" stroke=\"#1d2733\"/>\n", out);
     put_axis_name(out, &figure->x, 0.5 * (LEFT + self.right), self.bottom + 38.0,
                   " text-anchor=\"middle\"");
     const double middle = 0.5 * (TOP + self.bottom);

@@ -73,7 +73,7 @@ void clod_sheet_figure(clod_sheet *self, clod_figure *figure)
     if (!self->lost && clod_figure_shows(figure)) {
         make_unique(self, figure);
         fprintf(self->body, "<figure class=\"figure%s\" id=\"figure-%s\"><h3>",
-                figure->equal ? " wide" : "", figure->name);
+                figure->equal && figure->map.number == NULL ? " wide" : "", figure->name);
         clod_html_text(self->body, figure->title);
         fputs("</h3><div class=\"still\">", self->body);
         take_svg(self, figure);

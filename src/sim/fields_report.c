@@ -136,9 +136,10 @@ bool clod_fields_path(const clod_case *from, size_t k, clod_free_path *path)
                 return true;
             }
         }
-        if (clod_free_paths_pick(region ? "since_s samples volume_m3"
-                                        : "since_s samples cells.* used_cells cell_m width_m",
-                                 asked->name, &k, path)) {
+        if (clod_free_paths_pick(
+                region ? "since_s samples volume_m3"
+                       : "since_s samples cells.* corner_m.* used_cells cell_m width_m",
+                asked->name, &k, path)) {
             return true;
         }
     }
@@ -166,6 +167,10 @@ json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
                                 json_pack("[III]", (json_int_t)field.cells[0],
                                           (json_int_t)field.cells[1],
                                           (json_int_t)field.cells[2]));
+            double corner[3];
+            clod_continuum_corner(&field, 0, corner);
+            json_object_set_new(one, "corner_m",
+                                json_pack("[fff]", corner[0], corner[1], corner[2]));
             json_object_set_new(one, "used_cells", json_integer((json_int_t)used));
             json_object_set_new(one, "cell_m", json_real(field.cell));
             json_object_set_new(one, "width_m", json_real(field.width));

@@ -13,6 +13,8 @@ static const char *const COLUMN[] = {"lacey [1]", "variance [1]", "random_varian
                                      "share [1]", "grains_per_cell [1]"};
 #define COLUMNS (sizeof COLUMN / sizeof *COLUMN)
 
+#define SOLID 1000.0 ///< kg/m3, of the unit of masses: any density does
+
 /** What one remembers. */
 typedef struct mixing_memory {
     clod_mixing now; ///< of the last look
@@ -67,7 +69,8 @@ static clod_mixing_grid grid_of(const clod_case *from, const clod_case_mixing *a
     clod_mixing_grid self = {.region = clod_setup_domain_region(&asked->region),
                              .cell = asked->cell,
                              .material = -1,
-                             .above = asked->above};
+                             .above = asked->above,
+                             .unit = SOLID * asked->cell * asked->cell * asked->cell};
     for (int a = 0; a < 3; a++) {
         const double length = self.region.high[a] - self.region.low[a];
         self.cells[a] = (int64_t)clod_cell_count(length, self.cell);
@@ -78,22 +81,52 @@ static clod_mixing_grid grid_of(const clod_case *from, const clod_case_mixing *a
     return self;
 }
 
+static bool fail_memory(const clod_case_mixing *asked, clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED, "no memory for the samples of mixing.%s",
+                            asked->name);
+}
+
+/** The index of the moment by number. */
+static bool count(const clod_mixing_grid *grid, const clod_case_mixing *asked,
+                  const clod_survey *survey, clod_mixing *to, clod_status *status)
+{
+    const size_t cells = clod_mixing_grid_samples(grid);
+    clod_mixing_sample *samples = clod_memory_alloc(cells, sizeof *samples);
+    const bool good = samples != NULL ? clod_mixing_grid_count(grid, survey, samples, status)
+                                      : fail_memory(asked, status);
+    if (good) {
+        *to = clod_mixing_of(samples, cells);
+    }
+    clod_memory_free(samples);
+    return good;
+}
+
+/** By mass. */
+static bool weigh(const clod_mixing_grid *grid, const clod_case_mixing *asked,
+                  const clod_survey *survey, clod_mixing *to, clod_status *status)
+{
+    const size_t cells = clod_mixing_grid_samples(grid);
+    clod_mixing_weighed *samples = clod_memory_alloc(cells, sizeof *samples);
+    const bool good = samples != NULL ? clod_mixing_grid_weigh(grid, survey, samples, status)
+                                      : fail_memory(asked, status);
+    if (good) {
+        *to = clod_mixing_of_mass(samples, cells);
+    }
+    clod_memory_free(samples);
+    return good;
+}
+
 static bool look_at(mixing_memory *self, const clod_case_mixing *asked,
                     const clod_free_moment *now, clod_status *status)
 {
     const clod_mixing_grid grid = grid_of(now->from, asked);
-    const size_t count = clod_mixing_grid_samples(&grid);
-    clod_mixing_sample *samples = clod_memory_alloc(count, sizeof *samples);
-    if (samples == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the samples of mixing.%s",
-                                asked->name);
-    }
-    const bool good = clod_mixing_grid_count(&grid, now->survey, samples, status);
+    const bool good = asked->by == CLOD_MIXING_BY_MASS
+                          ? weigh(&grid, asked, now->survey, &self->now, status)
+                          : count(&grid, asked, now->survey, &self->now, status);
     if (good) {
-        self->now = clod_mixing_of(samples, count);
         clod_mixing_mean_note(&self->mean, now, self->now.index);
     }
-    clod_memory_free(samples);
     return good;
 }
 
@@ -142,7 +175,7 @@ static const char *lack_of(const clod_mixing *of)
     if (!(of->segregated > 0.0)) {
         return "one kind of grains in the region";
     }
-    return isnan(of->random) ? "all grains in one cell" : "no two grains in one cell";
+    return isnan(of->random) ? "all grains in one cell" : "too few grains in a cell";
 }
 
 static void mixing_report(FILE *out, const void *memory, const clod_free_moment *now)
@@ -150,7 +183,8 @@ static void mixing_report(FILE *out, const void *memory, const clod_free_moment 
     const mixing_memory *self = memory;
     for (size_t k = 0; k < now->from->mixing_count; k++) {
         const clod_mixing *of = &self[k].now;
-        fprintf(out, "  mixing %-14s Lacey's index ", now->from->mixings[k].name);
+        fprintf(out, "  mixing %-14s Lacey's index %s", now->from->mixings[k].name,
+                now->from->mixings[k].by == CLOD_MIXING_BY_MASS ? "by mass " : "");
         if (isnan(of->index)) {
             fprintf(out, "none at the end (%s), ", lack_of(of));
         } else {
@@ -191,9 +225,10 @@ static json_t *mixing_json(const void *memory, const clod_free_moment *now)
         clod_mixing_mean_of(&self[k].mean, &mean, &deviation);
         json_object_set_new(
             all, now->from->mixings[k].name,
-            json_pack("{s:f, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "since_s",
-                      now->steady.since, "lacey", clod_json_number(of->index), "mean",
-                      clod_json_number(mean), "deviation", clod_json_number(deviation),
+            json_pack("{s:s, s:f, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "by",
+                      now->from->mixings[k].by == CLOD_MIXING_BY_MASS ? "mass" : "number",
+                      "since_s", now->steady.since, "lacey", clod_json_number(of->index),
+                      "mean", clod_json_number(mean), "deviation", clod_json_number(deviation),
                       "variance", clod_json_number(of->variance), "segregated_variance",
                       clod_json_number(of->segregated), "random_variance",
                       clod_json_number(of->random), "share", clod_json_number(of->share),

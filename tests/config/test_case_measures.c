@@ -36,6 +36,8 @@ static void mixing_and_repose(void **unused)
     same(made->mixings[0].above, 3e-3);
     assert_null(made->mixings[0].material);
     assert_string_equal(made->mixings[1].material, "ore");
+    assert_int_equal(made->mixings[0].by, CLOD_MIXING_BY_NUMBER);
+    assert_int_equal(made->mixings[1].by, CLOD_MIXING_BY_MASS);
     assert_int_equal(made->repose_count, 2);
     const clod_case_repose *heap = &made->reposes[0], *slope = &made->reposes[1];
     assert_true(heap->has_center && !heap->has_direction);

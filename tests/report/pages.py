@@ -1,11 +1,14 @@
 """Results folders made by hand, and what stands in a page, for the tests of this folder."""
 
+import base64
 import html
 import html.parser
 import json
 import os
 import re
+import struct
 import sys
+import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import clod
@@ -34,6 +37,20 @@ def text(number):
 
 SERIES = "time [s],kinetic_energy [J],gauge_head.mass_flow [kg/s],feed.power [W],feed.angle [rad]\n" + "".join(
     f"{text(0.1 * k)},{text(0.01 * k * k)},{'nan' if k < 3 else text(0.5 + 0.001 * k)},{-k},0\n" for k in range(26))
+
+# grains fall on a floor; the region of the grid is wider than the bed
+FIELD = """title: A bed
+materials: {ore: {density: 2500 kg/m3}}
+contacts: {default: {law: hooke, k1: 2e3 N/m, restitution: 0.1, friction: 0.5}}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+time: {design_stress: 500 Pa}
+domain: {min: [-10 mm, 0 mm, -12 mm], max: [40 mm, 36 mm, 200 mm], periodic: [false, true, false]}
+grains: [{material: ore, count: 150, radius: {distribution: uniform, min: 2.7 mm, max: 3.3 mm}, region: {box: {min: [3 mm, 0 mm, 3 mm], max: [33 mm, 36 mm, 60 mm]}}}]
+walls: {base: {material: ore, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}}]}}
+fields: {bed: {region: {box: {min: [-4 mm, 0 mm, -12 mm], max: [36 mm, 36 mm, 52 mm]}}, cell: 4 mm, width: 8 mm}}
+stages: [{name: fall, duration: 60 ms}]
+output: {series_interval: 20 ms}
+"""
 
 UNIAXIAL = {
     "title": "Two stresses", "version": "clod 9",
@@ -81,6 +98,13 @@ def free_run(folder, density="2500", **changes):
     summary = {**FREE, **changes}
     write(folder, summary__json=summary, series__csv=SERIES, report__txt="all of it\n", case__yaml="title: short\n",
           **{"case_HYPHEN_complete__yaml": COMPLETE % (summary["title"], density)})
+
+
+def field_run(folder):
+    """A real run of a fraction of a second, with the grid of a field."""
+    write(folder + "-case", case__yaml=FIELD)
+    done = clod.run("run", os.path.join(folder + "-case", "case.yaml"), "-o", folder, "-t", "1")
+    clod.unittest.TestCase().assertEqual(done.returncode, 0, done.stderr)
 
 
 def uniaxial(folder):
@@ -151,21 +175,22 @@ def calibration(folder):
 
 
 def every(folder):
-    """One page of each kind, made by hand but for the design of a hopper; names of their files in the folder."""
+    """One page of each kind, made by hand but for the design of a hopper and a field; names of their files in the folder."""
     at = lambda name: os.path.join(folder, name)
     free_run(at("free"), outlets={f"lip{k}": FREE["outlets"]["delivered"] for k in range(12)})
     uniaxial(at("uniaxial"))
     wall(at("wall"))
     shear(at("ring"))
     calibration(at("fit"))
-    made = [clod.run("report", *map(at, ("free", "uniaxial", "wall", "ring", "fit")))]
+    field_run(at("field"))
+    made = [clod.run("report", *map(at, ("free", "uniaxial", "wall", "ring", "fit", "field")))]
     for k in range(9):  # more than there are colours
         shear(at(f"packing{k}"), 100.0 * k)
     made.append(clod.run("compare", *(at(f"packing{k}") for k in range(9)), "-o", at("packings.html")))
     for done in made:
         clod.unittest.TestCase().assertEqual(done.returncode, 0, done.stderr)
     hopper(folder)
-    return [f"{name}/report.html" for name in ("free", "uniaxial", "wall", "ring", "fit")] + ["packings.html", "design.html"]
+    return [f"{name}/report.html" for name in ("free", "uniaxial", "wall", "ring", "fit", "field")] + ["packings.html", "design.html"]
 
 
 class Page(html.parser.HTMLParser):
@@ -240,6 +265,11 @@ class Drawn:
         ends = [re.findall(r"[-\d.]+,[-\d.]+", path[1]) for path in paths if path]
         return [[tuple(map(float, places[k].split(","))) for k in (0, -1)] for places in ends]
 
+    def map(self):
+        """Red, green, blue and opacity of the cells of a map, rows upwards: the PNG that plotly lays below the curves."""
+        data = re.search(r'<g class="hm"><image [^>]*href="data:image/png;base64,([^"]*)"', self.live)[1]
+        return read_png(base64.b64decode(data))[::-1]
+
     def pixels(self, axis):
         """Pixels for one unit of an axis, from the labels of its first and its last tick."""
         ticks = re.findall(rf'<g class="{axis}tick"><text[^>]*translate\(([-\d.]+),([-\d.]+)\)[^>]*>([^<]*)</text>', self.live)
@@ -247,6 +277,30 @@ class Drawn:
         at = "xy".index(axis)
         number = [float(tick[2].replace("\u2212", "-")) for tick in (first, last)]
         return (float(last[at]) - float(first[at])) / (number[1] - number[0])
+
+
+def read_png(data):
+    """Rows from the top, of (r, g, b, a), of a PNG of four bytes a pixel. Filters: W3C, PNG Specification, 9.2."""
+    at, packed = 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+            assert (depth, colour) == (8, 6)
+        packed += body if kind == b"IDAT" else b""
+        at += 12 + length
+    raw, rows, above = zlib.decompress(packed), [], bytes(4 * width)
+    for y in range(height):
+        kind, *line = raw[y * (4 * width + 1):(y + 1) * (4 * width + 1)]
+        for k in range(4 * width):
+            left, up, corner = (line[k - 4], above[k], above[k - 4]) if k >= 4 else (0, above[k], 0)
+            guess = left + up - corner
+            paeth = min((left, up, corner), key=lambda value: abs(guess - value))
+            line[k] = (line[k] + (0, left, up, (left + up) // 2, paeth)[kind]) % 256
+        rows.append([tuple(line[4 * x:4 * x + 4]) for x in range(width)])
+        above = line
+    return rows
 
 
 def load(path):

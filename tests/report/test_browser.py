@@ -142,6 +142,39 @@ class Browser(clod.Case):
         seen, dom = self.show("wall/report.html", 390)
         self.assert_drawn(seen, dom, self.unfolded("wall/report.html"))
 
+    def test_slices_of_a_field(self):
+        """Maps have the colours of their numbers, blank cells none, at equal scale; on a phone the bar is above."""
+        pages.field_run(self.path("field"))
+        self.need_scripts(clod.run("report", self.path("field")))
+        figures = pages.load(self.path("field/report.html")).figures
+        for width in (1200, 390):
+            seen, dom = self.show("field/report.html", width)
+            self.assert_drawn(seen, dom, self.unfolded("field/report.html"))
+            for name, title in (("density", "bulk density [kg/m3]"), ("pressure", "pressure, contact + kinetic [Pa]"),
+                                ("speed", "speed [m/s]"), ("coordination", "contacts of a grain")):
+                drawn = pages.Drawn(dom, f"field-bed-{name}")
+                self.assertAlmostEqual(-drawn.pixels("x") / drawn.pixels("y"), 1.0, delta=0.02)
+                self.assertIn(title, drawn.texts('<text class="[^"]*title"'))
+                self.assert_colours(drawn.map(), figures[f"field-bed-{name}"]["map"])
+
+    def assert_colours(self, pixels, given):
+        colours = [[int(colour[k:k + 2], 16) for k in (1, 3, 5)] for colour in given["colours"]]
+        low, high = map(float, given["range"])
+        self.assertEqual((len(pixels[0]), len(pixels)), (int(given["columns"]), int(given["rows"])))
+        blank = 0
+        for k, number in enumerate(given["numbers"]):
+            pixel = pixels[k // len(pixels[0])][k % len(pixels[0])]
+            if number is None:
+                self.assertEqual(pixel[3], 0)
+                blank += 1
+                continue
+            at = (float(number) - low) / (high - low) * (len(colours) - 1)
+            below = min(int(at), len(colours) - 2)
+            wanted = [a + (at - below) * (b - a) for a, b in zip(*colours[below:below + 2])]
+            self.assertLess(max(abs(a - b) for a, b in zip(pixel, wanted)), 1.5)
+            self.assertEqual(pixel[3], 255)
+        self.assertTrue(0 < blank < len(given["numbers"]) / 2)
+
     def test_hopper(self):
         """The page of a design, on a desk and on a phone; the critical state stands on the line of its flow factor."""
         self.need_scripts(pages.hopper(self.folder))

@@ -11,6 +11,7 @@ legend here: 7.3, 10 and 14. The worst of the three is asked for, whatever the d
 """
 
 import itertools
+import json
 import os
 import sys
 
@@ -46,6 +47,15 @@ def lab(colour, vision):
 
 def distance(one, other, vision):
     return sum((a - b) ** 2 for a, b in zip(lab(one, vision), lab(other, vision))) ** 0.5
+
+
+def between(colours, share):
+    """A place on a map of colours, straight between them in sRGB."""
+    at = share * (len(colours) - 1)
+    below = min(int(at), len(colours) - 2)
+    mixed = (round(int(one[k:k + 2], 16) + (at - below) * (int(other[k:k + 2], 16) - int(one[k:k + 2], 16)))
+             for one, other in [colours[below:below + 2]] for k in (1, 3, 5))
+    return "#" + "".join(f"{part:02x}" for part in mixed)
 
 
 def look(curve):
@@ -88,6 +98,28 @@ class Colours(clod.Case):
         for one, other in itertools.combinations(sorted(colours), 2):
             for vision in VISIONS:
                 self.assertGreater(distance(one, other, vision), LEAST, (one, other, vision))
+
+    def test_maps(self):
+        """Colours of a map: lighter and lighter for any vision and in grey print, none looks like the paper of blank cells, and
+        numbers that a fifth of the range parts are told apart."""
+        pages.field_run(self.path("field"))
+        self.assertEqual(clod.run("report", self.path("field")).returncode, 0)
+        maps = [figure["map"] for figure in pages.load(self.path("field/report.html")).figures.values() if "map" in figure]
+        self.assertEqual(len(maps), 4)
+        colours = maps[0]["colours"]
+        self.assertTrue(all(given["colours"] == colours for given in maps))
+        with open(clod.source("src/report/web/view.js")) as file:
+            self.assertIn(f"RAMP = {json.dumps(colours)};", file.read())  # those of the 3-D view
+        fine = [between(colours, k / 50) for k in range(51)]
+        for vision in VISIONS:
+            lightness = [lab(colour, vision)[0] for colour in fine]
+            self.assertTrue(all(b > a for a, b in zip(lightness, lightness[1:])), vision)
+            for k, colour in enumerate(fine):
+                self.assertGreater(distance(colour, "#ffffff", vision), LEAST, (colour, vision))
+                for other in fine[k + 10:]:
+                    self.assertGreater(distance(colour, other, vision), LEAST, (colour, other, vision))
+        grey = [0.2126 * a + 0.7152 * b + 0.0722 * c for a, b, c in ([int(f[k:k + 2], 16) for k in (1, 3, 5)] for f in fine)]
+        self.assertTrue(all(b > a for a, b in zip(grey, grey[1:])))
 
 
 if __name__ == "__main__":

@@ -53,6 +53,10 @@ def lines_of(sheet, wanted):
     return [(words[k][1], words[k][2], words[k][4]) for k in range(len(row)) if row[k:k + len(wanted)] == wanted]
 
 
+def rgb(colour):
+    return [int(colour[k:k + 2], 16) for k in (1, 3, 5)]
+
+
 def letters(words):
     """All of them in one text: where lines and words end differs between page and paper."""
     return "".join(words)
@@ -132,10 +136,13 @@ class Print(clod.Case):
         for row in self.drawn[number][top:bottom]:
             for pixel in row:
                 seen[pixel] = seen.get(pixel, 0) + 1
+        if "map" in figure:  # from the darkest to the lightest
+            shades = [sum(count for pixel, count in seen.items() if max(abs(a - b) for a, b in zip(pixel, rgb(colour))) < 12)
+                      for colour in figure["map"]["colours"]]
+            self.assertGreater(min(shades), 20, (figure["name"], shades))
         last = {(tuple(curve["x"]), tuple(curve["y"])): curve["colour"] for curve in figure["curves"]}
         for colour in set(last.values()):
-            of = [int(colour[k:k + 2], 16) for k in (1, 3, 5)]
-            near = sum(count for pixel, count in seen.items() if max(abs(a - b) for a, b in zip(pixel, of)) < 24)
+            near = sum(count for pixel, count in seen.items() if max(abs(a - b) for a, b in zip(pixel, rgb(colour))) < 24)
             self.assertGreater(near, 20, (figure["name"], colour))
 
     def test_every_page(self):

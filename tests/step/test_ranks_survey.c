@@ -32,6 +32,7 @@ typedef struct told {
     clod_gauge_bins profile, trajectory;
     double region[CLOD_CONTINUUM_SUMS], grid[POINTS][CLOD_CONTINUUM_SUMS];
     clod_mixing_sample mixing[POINTS];
+    clod_mixing_weighed weighed[POINTS];
     clod_repose_angle repose;
     double center[2];
     clod_stock stock[3];
@@ -114,7 +115,7 @@ static void ask(clod_step *step, told *to)
     const clod_contact_source contacts = clod_step_contacts(step, &reader);
     const clod_survey survey = clod_step_survey(step, &contacts);
     const clod_mixing_grid mixing = {
-        .region = BOX, .cell = EDGE, .cells = {GRID, GRID, GRID}, .material = 1};
+        .region = BOX, .cell = EDGE, .cells = {GRID, GRID, GRID}, .material = 1, .unit = 1e-4};
     clod_repose heap = {.region = BOX, .cell = EDGE, .from = 0.1, .to = 1.0};
     memset(to, 0, sizeof *to);
     to->motion = clod_measure_motion_from(&survey);
@@ -125,6 +126,7 @@ static void ask(clod_step *step, told *to)
     ask_strength(&survey, to);
     ask_resting(&survey, to);
     assert_true(clod_mixing_grid_count(&mixing, &survey, to->mixing, &status));
+    assert_true(clod_mixing_grid_weigh(&mixing, &survey, to->weighed, &status));
     assert_true(clod_repose_center(&BOX, &survey, to->center, &status));
     memcpy(heap.center, to->center, sizeof heap.center);
     assert_true(clod_repose_find(&heap, &survey, &to->repose, &status));
@@ -199,6 +201,7 @@ static void check_same(const told *one, const told *other)
     assert_memory_equal(one->region, other->region, sizeof one->region);
     assert_memory_equal(one->grid, other->grid, sizeof one->grid);
     assert_memory_equal(one->mixing, other->mixing, sizeof one->mixing);
+    assert_memory_equal(one->weighed, other->weighed, sizeof one->weighed);
     assert_memory_equal(&one->repose, &other->repose, sizeof one->repose);
     assert_memory_equal(one->center, other->center, sizeof one->center);
     assert_memory_equal(one->stock, other->stock, sizeof one->stock);

@@ -1,6 +1,6 @@
 // Figures of the data block drawn by plotly; where none is wanted, the SVG in the page stays.
 
-import Plotly from "plotly.js-basic-dist-min";
+import Plotly from "plotly.js-cartesian-dist-min";
 
 const DASH = {dashed: "dash", dotted: "dot", dashdot: "dashdot"};
 // when the colours come again, lines have other dashes and points other marks
@@ -36,16 +36,58 @@ function traceOf(figure, curve) {
   return trace;
 }
 
+/** A line on a light edge, to be seen on any colour; two traces. */
+function arrowsOf(trace) {
+  const edge = {...trace, showlegend: false, hoverinfo: "skip", line: {color: "#ffffff", width: 4}};
+  return [edge, {...trace, hoverinfo: "skip", line: {color: trace.line.color, width: 1.2}}];
+}
+
+function mapOf(figure, small) {
+  const {map} = figure;
+  const at = (a, axis) => [(map.low[a] + map.step[a] / 2) * axis.factor, map.step[a] * axis.factor];
+  const [x0, dx] = at(0, figure.x), [y0, dy] = at(1, figure.y);
+  const scaled = map.numbers.map(value => value === null ? null : value * map.value.factor);
+  const unit = map.value.unit === "" ? "" : ` ${map.value.unit}`;
+  return {
+    type: "heatmap", x0, dx, y0, dy,
+    z: Array.from({length: map.rows}, (_, r) => scaled.slice(r * map.columns, (r + 1) * map.columns)),
+    zmin: map.range[0] * map.value.factor, zmax: map.range[1] * map.value.factor,
+    colorscale: map.colours.map((colour, k) => [k / (map.colours.length - 1), colour]),
+    hoverongaps: false,
+    hovertemplate: `${plain(figure.x.text)} %{x:.5g}, ${plain(figure.y.text)} %{y:.5g} ${figure.x.unit}<br>%{z:.5g}${plain(unit)}<extra></extra>`,
+    colorbar: {
+      title: {text: titleOf(map.value), side: small ? "top" : "right"}, thickness: 14, outlinewidth: 0, ticks: "outside",
+      ...(small ? {orientation: "h", x: 0, xanchor: "left", y: 1, yanchor: "bottom", len: 1} : {x: 1, len: 1}),
+    },
+  };
+}
+
 function titleOf(axis) {
   return plain(axis.unit === "" ? axis.text : `${axis.text} [${axis.unit}]`);
 }
 
 /** Height at which a figure of equal scales fills its width; not too high. */
 function equalHeight(figure, width) {
+  if (figure.map) {
+    const long = a => figure.map.step[a] * (a === 0 ? figure.map.columns : figure.map.rows);
+    return Math.min(640, Math.max(200, 64 + long(1) / long(0) * (width - 166)));
+  }
   const all = (axis, of) => of.flatMap(curve => curve[axis].filter(value => value !== null));
   const x = all("x", figure.curves), y = all("y", figure.curves);
   const ratio = Math.max(...y) / (Math.max(...x) - Math.min(0, ...x));
   return Math.min(640, Math.max(260, 64 + 1.08 * ratio * (width - 76)));
+}
+
+/** Axes from edge to edge of a map; room for a bar above it where there is none beside it. */
+function layMap(layout, figure, small) {
+  const {map} = figure;
+  const range = (a, cells, axis) => [map.low[a] * axis.factor, (map.low[a] + cells * map.step[a]) * axis.factor];
+  Object.assign(layout.xaxis, {range: range(0, map.columns, figure.x), showgrid: false, zeroline: false, showline: true, mirror: true, linecolor: "#1d2733", constrain: "domain"});
+  Object.assign(layout.yaxis, {range: range(1, map.rows, figure.y), showgrid: false, zeroline: false, showline: true, mirror: true, linecolor: "#1d2733", constrain: "domain", scaleanchor: "x", ticks: "outside"});
+  if (small) {
+    layout.margin.t += 56;
+    layout.height += 56;
+  }
 }
 
 function layoutOf(figure, width) {
@@ -65,7 +107,9 @@ function layoutOf(figure, width) {
   const legend = Math.ceil(rows / columns) * 20;
   layout.height += legend;
   layout.margin.b += legend;
-  if (figure.equal) {
+  if (figure.map) {
+    layMap(layout, figure, small);
+  } else if (figure.equal) {
     layout.yaxis.scaleanchor = "x";
     layout.yaxis.range = [0, 1.06 * figure.y.factor * Math.max(...figure.curves.flatMap(curve => curve.y))];
     layout.xaxis.constrain = layout.yaxis.constrain = "domain";
@@ -80,7 +124,10 @@ function layoutOf(figure, width) {
 }
 
 function draw(figure, place) {
-  const traces = figure.curves.map(curve => traceOf(figure, curve));
+  const traces = figure.curves.flatMap(curve => curve.style === "arrows" ? arrowsOf(traceOf(figure, curve)) : [traceOf(figure, curve)]);
+  if (figure.map) {
+    traces.unshift(mapOf(figure, place.clientWidth < 480));
+  }
   return Plotly.newPlot(place, traces, layoutOf(figure, place.clientWidth), {
     responsive: true,
     displaylogo: false,
