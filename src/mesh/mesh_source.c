@@ -117,9 +117,15 @@ static bool add_run(clod_mesh_source *self, uint32_t part, clod_status *status)
     return true;
 }
 
-bool clod_mesh_source_part(clod_mesh_source *self, const char *name, size_t length,
+bool clod_mesh_source_part(clod_mesh_source *self, const char *name, size_t length, size_t line,
                            clod_status *status)
 {
+    if (length > CLOD_MESH_NAME_MOST) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s:%zu: the name of the part has %zu bytes; at most %d are read: rename it",
+            self->path, line, length, CLOD_MESH_NAME_MOST);
+    }
     uint32_t *slot = find_slot(self, name, length);
     if (*slot == 0) {
         if (!add_part(self, name, length, status)) {
@@ -132,7 +138,7 @@ bool clod_mesh_source_part(clod_mesh_source *self, const char *name, size_t leng
 
 bool clod_mesh_source_add(clod_mesh_source *self, size_t triangles, clod_status *status)
 {
-    if (self->run_count == 0 && !clod_mesh_source_part(self, "", 0, status)) {
+    if (self->run_count == 0 && !clod_mesh_source_part(self, "", 0, 0, status)) {
         return false;
     }
     if (triangles > CLOD_MESH_FACETS_MOST - self->facets) {
