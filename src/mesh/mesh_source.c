@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/room.h"
+#include "base/text.h"
 
 #define SLOTS 16384 ///< of the table of names, four times as many as parts
 
@@ -55,6 +56,9 @@ bool clod_mesh_source_check(clod_mesh_source *self, clod_status *status)
             !FORMATS[f].check(self, status)) {
             return false;
         }
+    }
+    for (size_t p = 0; p < self->part_count; p++) { // now that no name is looked for any more
+        clod_text_printable(self->parts[p].name);
     }
     return self->facets > 0 ||
            clod_status_fail(status, CLOD_USAGE,
