@@ -20,6 +20,7 @@ extern "C" {
 #define CLOD_MESH_FACETS_MOST 5000000   ///< facets of a file
 #define CLOD_MESH_BYTES_MOST 2000000000 ///< bytes of a file
 #define CLOD_MESH_PARTS_MOST 4096       ///< named parts of a file
+#define CLOD_MESH_NAME_MOST 255         ///< bytes of the name of a part
 
 /** No facet: the neighbour over an open edge. */
 #define CLOD_MESH_NONE UINT32_MAX

@@ -436,8 +436,12 @@ class Simulation:
         """Take a row: values of the columns of series.csv by name, with rates and means since the
         row before."""
         row = self._row()
-        self.series_units = {ffi.string(c.name).decode(): ffi.string(c.unit).decode() for c in row}
-        return dict(zip(self.series_units, (c.value for c in row)))
+        names = [ffi.string(column.name).decode() for column in row]
+        if len(set(names)) < len(names):
+            twice = sorted({name for name in names if names.count(name) > 1})
+            raise ValueError(f"two columns of the series have one name: {', '.join(twice)}; rename a wall")
+        self.series_units = dict(zip(names, (ffi.string(column.unit).decode() for column in row)))
+        return {name: column.value for name, column in zip(names, row)}
 
     # ---- files
 

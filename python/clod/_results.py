@@ -29,13 +29,21 @@ class Results:
                              for name in glob.glob(os.path.join(self.folder, "*.csv")))
 
     def table(self, name="series"):
-        """Columns of a CSV file by their names; (columns, units)."""
+        """Columns of a CSV file by their names; (columns, units).
+
+        Should names come again (tables of clod before surfaces had names of their own do), the
+        second column is called "NAME (2)".
+        """
         with open(os.path.join(self.folder, name + ".csv"), newline="") as file:
             rows = list(csv.reader(file))
         columns, units = {}, {}
         for index, head in enumerate(rows[0]):
             found = re.fullmatch(r"(.*?) \[(.*)\]", head)
-            key, unit = found.groups() if found else (head, None)
+            name, unit = found.groups() if found else (head, None)
+            key, again = name, 1
+            while key in columns:
+                again += 1
+                key = f"{name} ({again})"
             values = [row[index] for row in rows[1:]]
             try:
                 columns[key] = numpy.array(values, float)

@@ -61,3 +61,40 @@ char *clod_text_close(clod_text *self)
     }
     return text;
 }
+
+size_t clod_text_utf8(const char *text, size_t left)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    const unsigned char c = at[0];
+    if (c < 0x80) {
+        return 1;
+    }
+    const size_t length = c >= 0xF0 ? 4 : c >= 0xE0 ? 3 : 2;
+    if (c < 0xC2 || c > 0xF4 || length > left) {
+        return 0;
+    }
+    for (size_t i = 1; i < length; i++) {
+        if ((at[i] & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    const bool overlong = (c == 0xE0 && at[1] < 0xA0) || (c == 0xF0 && at[1] < 0x90);
+    const bool surrogate = c == 0xED && at[1] > 0x9F;
+    const bool too_large = c == 0xF4 && at[1] > 0x8F;
+    return overlong || surrogate || too_large ? 0 : length;
+}
+
+void clod_text_printable(char *text)
+{
+    for (size_t left = strlen(text); left > 0;) {
+        const unsigned char c = (unsigned char)text[0];
+        size_t length = clod_text_utf8(text, left);
+        const bool high_control = c == 0xC2 && length == 2 && (unsigned char)text[1] < 0xA0;
+        if (length == 0 || c < ' ' || c == 127 || high_control) {
+            length = length == 0 ? 1 : length;
+            memset(text, '?', length);
+        }
+        text += length;
+        left -= length;
+    }
+}

@@ -27,3 +27,14 @@ FILE *clod_text_open(clod_text *self);
  * Threads  one per text.   Test  tests/base/test_text.c
  */
 char *clod_text_close(clod_text *self);
+
+/** Length of the valid UTF-8 sequence at `text` with `left` bytes; 0: there is none. Threads: pure. */
+size_t clod_text_utf8(const char *text, size_t left);
+
+/**
+ * Put ? in place of each byte of a foreign text that would spoil a terminal or is no text: control
+ * characters (of Unicode too, U+0080 to U+009F), and what is not UTF-8.
+ *
+ * Threads  pure.   Test  tests/base/test_text.c
+ */
+void clod_text_printable(char *text);

@@ -17,12 +17,28 @@
 _Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_SOBOL_MOST,
                "a design takes all parameters of a plan");
 
+static const clod_param *find_row(const clod_table *table, const char *key);
+
+/** Row of a key behind a name that may have points in it; the map's own where nothing is behind it. */
+static const clod_param *find_behind_name(const clod_param *map, const char *key)
+{
+    const char *point = strchr(key, '.');
+    const clod_param *row = point == NULL ? map : NULL;
+    for (; point != NULL && row == NULL; point = strchr(point + 1, '.')) {
+        row = find_row(map->table, point + 1);
+    }
+    return row;
+}
+
 /** Row of a key below a table; NULL: there is none, or it is an element of a vector. */
 static const clod_param *find_row(const clod_table *table, const char *key)
 {
     const clod_param *row = NULL;
     bool named = false; // the step is an element of a list or a name
     for (const char *step = key; *step != '\0';) {
+        if (named && row->any_name) {
+            return find_behind_name(row, step);
+        }
         char word[64];
         const size_t length = strcspn(step, ".");
         snprintf(word, sizeof word, "%.*s", (int)length, step);

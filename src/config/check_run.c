@@ -237,7 +237,7 @@ static void check_oscillation(clod_loader *loader, const char *path, const clod_
 static void check_surface(clod_loader *loader, const clod_case *self, const char *path,
                           const clod_case_shape *shape)
 {
-    char key[PATH_SIZE + 192];
+    char key[PATH_SIZE + CLOD_LOAD_PATH];
     const char *kind = CLOD_TABLE_SHAPE.params[shape->kind].key;
     if (shape->surface.material != NULL) {
         snprintf(key, sizeof key, "%s.%s.surface.material", path, kind);

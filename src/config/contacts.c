@@ -9,7 +9,7 @@
 #include "config/law_keys.h"
 #include "config/suggest.h"
 
-#define PAIR_NAME 256 ///< keys of YAML are at most 128 long
+#define PAIR_NAME 256 ///< keys of YAML are at most 255 long
 
 typedef clod_contacts_pair pair;
 

@@ -63,7 +63,7 @@ static void print_text(FILE *out, const char *text)
     for (; *text != '\0'; text++) {
         if (*text == '"' || *text == '\\') {
             fprintf(out, "\\%c", *text);
-        } else if ((unsigned char)*text < ' ') {
+        } else if ((unsigned char)*text < ' ' || *text == 127) {
             fprintf(out, "\\x%02X", (unsigned)(unsigned char)*text);
         } else {
             fputc(*text, out);
@@ -166,7 +166,12 @@ static void print_items(const echo *to, const clod_param *param, const void *tar
             fputs("- ", to->out);
             print_table(to, param->table, item, depth + 2, true);
         } else {
-            fprintf(to->out, "%s:\n", *(char *const *)item);
+            if (param->any_name) {
+                print_text(to->out, *(char *const *)item);
+            } else {
+                fputs(*(char *const *)item, to->out);
+            }
+            fputs(":\n", to->out);
             print_table(to, param->table, item, depth + 2, false);
         }
     }

@@ -76,9 +76,10 @@ static bool is_name(const char *text)
 }
 
 /** Give an item of a map its name; every struct in a map starts with `char *name`. */
-static void take_name(clod_loader *self, const clod_node *item, char **name)
+static void take_name(clod_loader *self, const clod_param *param, const clod_node *item,
+                      char **name)
 {
-    if (!is_name(item->key)) {
+    if (!param->any_name && !is_name(item->key)) {
         clod_report_add(self->report, item->key_place, self->path,
                         "\"%s\" is not a name; use letters, digits and _, at most %d, with a "
                         "letter first",
@@ -125,7 +126,7 @@ static void load_items(clod_loader *self, const clod_param *param, const clod_no
         snprintf(index, sizeof index, "%zu", i);
         const size_t length = clod_load_enter(self, item->key == NULL ? index : item->key);
         if (kind == CLOD_NODE_MAP) {
-            take_name(self, item, (char **)element);
+            take_name(self, param, item, (char **)element);
         }
         clod_load_section(self, param->table, item, clod_load_place(item), element);
         clod_load_leave(self, length);

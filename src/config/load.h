@@ -12,7 +12,7 @@
 #include "config/report.h"
 #include "config/tree.h"
 
-#define CLOD_LOAD_PATH 320
+#define CLOD_LOAD_PATH 512
 
 typedef struct clod_loader {
     clod_report *report;

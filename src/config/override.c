@@ -66,7 +66,7 @@ void clod_override_apply(clod_loader *loader, size_t number)
     }
     clod_node *node = loader->root;
     for (const char *key = text; key < equal;) {
-        const size_t length = strcspn(key, ".=");
+        const size_t length = clod_tree_step_length(node, key, (size_t)(equal - key));
         node = length == 0 ? NULL : descend(loader, node, key, length, place);
         if (length == 0) {
             fail(loader, place, "the key %s%s", "has an empty part; write key.path=value", "");

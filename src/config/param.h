@@ -57,6 +57,7 @@ typedef struct clod_param {
     const char *const *choices; ///< ended by NULL
     const char *zero_word;      ///< word that stands for 0, for instance "auto"
     const struct clod_table *table; ///< section, list, map
+    bool any_name;                  ///< map: names are any text, as files have them
     /** Pairs: keys that stand beside the sections, in the struct that holds the pairs. */
     const struct clod_table *beside;
     /** Whether the value has any effect, and so whether the echo writes it; NULL: always. */

@@ -296,11 +296,13 @@ static const clod_param MESH[] = {
      .kind = CLOD_PARAM_MAP,
      .need = CLOD_PARAM_OPTIONAL,
      .table = &SURFACE_TABLE,
+     .any_name = true,
      CLOD_AT(S, parts),
      CLOD_COUNT(S, part_count),
-     .help = "Parts of the file by their names (clod mesh FILE lists them), each with material "
-             "and motion of its own in place of surface; without material that of surface, "
-             "else of the wall.",
+     .help =
+         "Parts of the file by their names (clod mesh FILE lists them; in quotes where YAML "
+         "needs them), each with material and motion of its own in place of surface; "
+         "without material that of surface, else of the wall.",
      .source = "docs/meshes.md"},
 };
 static const clod_table MESH_TABLE = {.title = "A triangle mesh; grains touch both sides.",

@@ -40,16 +40,6 @@ static bool reserve(clod_report *self)
     return true;
 }
 
-/** Bytes below 32 of a user's text would spoil the terminal: show them as `?`. */
-static void make_printable(char *text)
-{
-    for (; *text != '\0'; text++) {
-        if ((unsigned char)*text < ' ' || *text == 127) {
-            *text = '?';
-        }
-    }
-}
-
 void clod_report_add(clod_report *self, clod_place place, const char *path, const char *format,
                      ...)
 {
@@ -58,7 +48,7 @@ void clod_report_add(clod_report *self, clod_place place, const char *path, cons
     va_start(args, format);
     vsnprintf(message, sizeof message, format, args);
     va_end(args);
-    make_printable(message);
+    clod_text_printable(message);
     char key[MESSAGE_SIZE + 64];
     const int start =
         snprintf(key, sizeof key, "%d:%d:%d:", place.source, place.line, place.column);
@@ -178,7 +168,10 @@ static void print_item(FILE *out, const clod_report *self, const clod_report_ite
         fprintf(out, "--set %s: ", self->overrides[item->place.source - 1]);
     }
     if (item->path[0] != '\0') {
-        fprintf(out, "%s: ", item->path);
+        char path[MESSAGE_SIZE];
+        snprintf(path, sizeof path, "%s", item->path);
+        clod_text_printable(path);
+        fprintf(out, "%s: ", path);
     }
     fprintf(out, "%s\n", item->message);
     if (file) {

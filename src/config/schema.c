@@ -127,7 +127,9 @@ static json_t *group_schema(const clod_param *param)
     json_t *names = json_object();
     const bool pairs = param->kind == CLOD_PARAM_PAIRS;
     json_object_set_new(names,
-                        pairs ? "^(default|[A-Za-z_]\\w*-[A-Za-z_]\\w*)$" : "^[A-Za-z_]\\w*$",
+                        pairs             ? "^(default|[A-Za-z_]\\w*-[A-Za-z_]\\w*)$"
+                        : param->any_name ? "^.+$"
+                                          : "^[A-Za-z_]\\w*$",
                         table_schema(param->table));
     set_text(object, "type", "object");
     if (pairs) {

@@ -53,9 +53,23 @@ void clod_source_destroy(clod_case_source **self)
     }
 }
 
-/** Length of the path with which a text begins, ended by ": "; 0: there is none. */
-static size_t path_length(const char *text)
+/** Length of the path with which a text begins, ended by ": "; 0: there is none. The longest that the case
+ *  has, where there is one: a name of a part may have any characters. */
+static size_t path_length(clod_node *root, const char *text)
 {
+    size_t found = 0;
+    for (const char *end = strstr(text, ": "); end != NULL; end = strstr(end + 1, ": ")) {
+        char path[CLOD_LOAD_PATH];
+        const size_t there = (size_t)(end - text);
+        if (there < sizeof path) {
+            memcpy(path, text, there);
+            path[there] = '\0';
+            found = clod_tree_at(root, path) != NULL ? there : found;
+        }
+    }
+    if (found > 0) {
+        return found;
+    }
     const size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                        "0123456789_.-");
     return length < CLOD_LOAD_PATH && strncmp(text + length, ": ", 2) == 0 ? length : 0;
@@ -73,8 +87,8 @@ static clod_place place_of(clod_node *root, const char *path)
 bool clod_source_tell(const clod_case *self, clod_status *status)
 {
     const clod_case_source *source = self->source;
-    const size_t length = path_length(status->text);
-    if (source == NULL || length == 0 || strlen(status->text) > CLOD_STATUS_TEXT / 2 ||
+    const size_t length = source != NULL ? path_length(source->root, status->text) : 0;
+    if (length == 0 || strlen(status->text) > CLOD_STATUS_TEXT / 2 ||
         clod_tree_step(source->root, status->text, strcspn(status->text, ".:")) == NULL) {
         return false;
     }

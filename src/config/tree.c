@@ -79,11 +79,23 @@ clod_node *clod_tree_step(const clod_node *self, const char *key, size_t length)
     return clod_index_find(&self->keys, key, length, &at) ? self->items[at] : NULL;
 }
 
+size_t clod_tree_step_length(const clod_node *self, const char *path, size_t length)
+{
+    size_t found = strcspn(path, ".");
+    found = found < length ? found : length;
+    for (size_t end = found; end <= length; end++) {
+        if ((end == length || path[end] == '.') && clod_tree_step(self, path, end) != NULL) {
+            found = end;
+        }
+    }
+    return found;
+}
+
 static clod_node *walk(clod_node *root, const char *path, bool nearest)
 {
     clod_node *node = root;
     while (node != NULL && *path != '\0') {
-        const size_t length = strcspn(path, ".");
+        const size_t length = clod_tree_step_length(node, path, strlen(path));
         clod_node *next = clod_tree_step(node, path, length);
         if (next == NULL) {
             return nearest ? node : NULL;

@@ -48,6 +48,14 @@ clod_node *clod_tree_find(const clod_node *self, const char *key);
 /** Item of a map by the first `length` bytes of a key, or of a list by its index in digits. */
 clod_node *clod_tree_step(const clod_node *self, const char *key, size_t length);
 
+/**
+ * How many bytes of a path are the first step from a node: up to a point, or the longest key of the node
+ * that they are, which may have points in it, as names of parts have: "Cube.001.speed".
+ *
+ * @param length  of the path
+ */
+size_t clod_tree_step_length(const clod_node *self, const char *path, size_t length);
+
 /** The node at a path such as "grains.0.count", or NULL. */
 clod_node *clod_tree_at(clod_node *root, const char *path);
 

@@ -4,7 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#define LONGEST_KEY 128
+#include "base/text.h"
+#include "clod/mesh.h"
+
+#define LONGEST_KEY CLOD_MESH_NAME_MOST ///< bytes: a name of a part fits
 
 typedef struct builder {
     clod_arena *arena;
@@ -17,27 +20,12 @@ typedef struct builder {
     clod_place key_place;
 } builder;
 
-/** Length of the valid UTF-8 sequence at `text`, 0 when it is not valid. */
-static size_t utf8_length(const unsigned char *text, size_t left)
+/** Length of the character at `text`, 0 when it is none that a case file may have. */
+static size_t character_length(const char *text, size_t left)
 {
-    const unsigned char c = text[0];
-    if (c < 0x80) {
-        const bool control = c < 0x20 && c != '\t' && c != '\n' && c != '\r';
-        return control || c == 0x7F ? 0 : 1;
-    }
-    const size_t length = c >= 0xF0 ? 4 : c >= 0xE0 ? 3 : 2;
-    if (c < 0xC2 || c > 0xF4 || length > left) {
-        return 0;
-    }
-    for (size_t i = 1; i < length; i++) {
-        if ((text[i] & 0xC0) != 0x80) {
-            return 0;
-        }
-    }
-    const bool overlong = (c == 0xE0 && text[1] < 0xA0) || (c == 0xF0 && text[1] < 0x90);
-    const bool surrogate = c == 0xED && text[1] > 0x9F;
-    const bool too_large = c == 0xF4 && text[1] > 0x8F;
-    return overlong || surrogate || too_large ? 0 : length;
+    const unsigned char c = (unsigned char)text[0];
+    const bool control = (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F;
+    return control ? 0 : clod_text_utf8(text, left);
 }
 
 /** Refuse what libfyaml 0.7.12 should not be handed: too much text, bytes that are no text. */
@@ -52,7 +40,7 @@ static bool guard(const char *text, size_t length, int source, clod_report *repo
     }
     const unsigned char *bytes = (const unsigned char *)text;
     for (size_t i = 0; i < length;) {
-        const size_t step = utf8_length(bytes + i, length - i);
+        const size_t step = character_length(text + i, length - i);
         if (step == 0) {
             clod_report_add(report, place, "",
                             "byte 0x%02X is not text; save the file as plain UTF-8", bytes[i]);

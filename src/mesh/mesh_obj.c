@@ -182,7 +182,7 @@ static bool read_line(reader *r)
     }
     if (clod_mesh_words_is(word, "o") || clod_mesh_words_is(word, "g")) {
         const clod_mesh_word name = clod_mesh_words_rest(&r->at);
-        return clod_mesh_source_part(r->source, name.text, name.length, r->status);
+        return clod_mesh_source_part(r->source, name.text, name.length, r->at.line, r->status);
     }
     for (size_t k = 0; k < sizeof UNREAD / sizeof UNREAD[0]; k++) {
         if (clod_mesh_words_is(word, UNREAD[k])) {

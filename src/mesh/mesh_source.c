@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/room.h"
+#include "base/text.h"
 
 #define SLOTS 16384 ///< of the table of names, four times as many as parts
 
@@ -55,6 +56,9 @@ bool clod_mesh_source_check(clod_mesh_source *self, clod_status *status)
             !FORMATS[f].check(self, status)) {
             return false;
         }
+    }
+    for (size_t p = 0; p < self->part_count; p++) { // now that no name is looked for any more
+        clod_text_printable(self->parts[p].name);
     }
     return self->facets > 0 ||
            clod_status_fail(status, CLOD_USAGE,
@@ -117,9 +121,15 @@ static bool add_run(clod_mesh_source *self, uint32_t part, clod_status *status)
     return true;
 }
 
-bool clod_mesh_source_part(clod_mesh_source *self, const char *name, size_t length,
+bool clod_mesh_source_part(clod_mesh_source *self, const char *name, size_t length, size_t line,
                            clod_status *status)
 {
+    if (length > CLOD_MESH_NAME_MOST) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s:%zu: the name of the part has %zu bytes; at most %d are read: rename it",
+            self->path, line, length, CLOD_MESH_NAME_MOST);
+    }
     uint32_t *slot = find_slot(self, name, length);
     if (*slot == 0) {
         if (!add_part(self, name, length, status)) {
@@ -132,7 +142,7 @@ bool clod_mesh_source_part(clod_mesh_source *self, const char *name, size_t leng
 
 bool clod_mesh_source_add(clod_mesh_source *self, size_t triangles, clod_status *status)
 {
-    if (self->run_count == 0 && !clod_mesh_source_part(self, "", 0, status)) {
+    if (self->run_count == 0 && !clod_mesh_source_part(self, "", 0, 0, status)) {
         return false;
     }
     if (triangles > CLOD_MESH_FACETS_MOST - self->facets) {

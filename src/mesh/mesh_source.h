@@ -50,8 +50,13 @@ bool clod_mesh_source_init(clod_mesh_source *self, const char *path, clod_status
 /** Check the content by its format. Errors CLOD_USAGE: what is wrong, and where. */
 bool clod_mesh_source_check(clod_mesh_source *self, clod_status *status);
 
-/** The facets that follow belong to the part of this name, which may be new. */
-bool clod_mesh_source_part(clod_mesh_source *self, const char *name, size_t length,
+/**
+ * The facets that follow belong to the part of this name, which may be new.
+ *
+ * @param line  of the file, for messages
+ * Errors  CLOD_USAGE: a name that is too long, too many parts.
+ */
+bool clod_mesh_source_part(clod_mesh_source *self, const char *name, size_t length, size_t line,
                            clod_status *status);
 
 /** Count triangles; without a part before, they belong to one without a name. */

@@ -140,7 +140,7 @@ static bool check_solid(clod_mesh_source *self, clod_mesh_cursor *at, char *begi
 {
     const size_t before = self->facets;
     const clod_mesh_word name = clod_mesh_words_rest(at);
-    if (!clod_mesh_source_part(self, name.text, name.length, status)) {
+    if (!clod_mesh_source_part(self, name.text, name.length, at->line, status)) {
         return false;
     }
     memset(name.text, ' ', name.length);

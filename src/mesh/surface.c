@@ -78,7 +78,8 @@ static bool name_parts(clod_surface *self, const clod_mesh_view *view)
     for (size_t p = 0; self->part_name != NULL && p < view->part_count; p++) {
         snprintf(self->part_name[p], sizeof self->part_name[p], "%s", view->parts[p].name);
     }
-    return self->part_name != NULL;
+    self->part_label = clod_memory_alloc(view->part_count + 1, sizeof *self->part_label);
+    return self->part_name != NULL && self->part_label != NULL;
 }
 
 clod_surface *clod_surface_make(const clod_mesh *mesh, const clod_mesh_placing *then,
@@ -119,7 +120,7 @@ size_t clod_surface_bytes(const clod_surface *self)
            self->plane_count * sizeof *self->planes +
            self->patch_count * sizeof *self->patches +
            self->cylinder_count * sizeof *self->cylinders +
-           self->part_count * sizeof *self->part_name;
+           self->part_count * (sizeof *self->part_name + sizeof *self->part_label);
 }
 
 clod_surface *clod_surface_share(clod_surface *self)
@@ -146,6 +147,7 @@ void clod_surface_release(clod_surface *self)
     clod_memory_free(self->patches);
     clod_memory_free(self->cylinders);
     clod_memory_free(self->part_name);
+    clod_memory_free(self->part_label);
     clod_memory_free(self->node);
     clod_memory_free(self->leaf);
     clod_memory_free(self);

@@ -47,8 +47,9 @@ typedef struct clod_surface_node {
     uint32_t first, count; ///< of `leaf` if count > 0; else children first and first + 1
 } clod_surface_node;
 
-/** Bytes of a part's name. */
-#define CLOD_SURFACE_NAME 32
+/** Bytes of a part's name, and of what tables call it: that, a number before it and one behind. */
+#define CLOD_SURFACE_NAME (CLOD_MESH_NAME_MOST + 1)
+#define CLOD_SURFACE_LABEL (CLOD_SURFACE_NAME + 32)
 
 typedef struct clod_surface {
     atomic_int users;
@@ -67,7 +68,8 @@ typedef struct clod_surface {
     clod_surface_plane *planes;
     clod_surface_patch *patches;
     clod_surface_cylinder *cylinders;
-    char (*part_name)[CLOD_SURFACE_NAME]; ///< [part_count] cut to fit; "": it has none
+    char (*part_name)[CLOD_SURFACE_NAME];   ///< [part_count] "": it has none
+    char (*part_label)[CLOD_SURFACE_LABEL]; ///< [part_count] state/part_labels.h; "": no name
     clod_surface_node *node;
     uint32_t *leaf; ///< [facet_count] facets by leaf
 } clod_surface;

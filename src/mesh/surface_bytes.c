@@ -5,7 +5,7 @@
 #include "base/memory.h"
 
 /** Arrays of a surface. */
-enum { ARRAYS = 13 };
+enum { ARRAYS = 14 };
 
 typedef struct surface_array {
     void **array; ///< where the pointer is
@@ -28,6 +28,7 @@ static void arrays_of(clod_surface *self, surface_array all[ARRAYS])
     ADD(patches, self->patch_count);
     ADD(cylinders, self->cylinder_count);
     ADD(part_name, self->part_count);
+    ADD(part_label, self->part_count);
     ADD(node, self->facet_count + 2); // as many as the tree has room for
     ADD(leaf, self->facet_count);
 #undef ADD

@@ -210,8 +210,8 @@ static char *name_parts(const clod_state *state)
             const clod_surface *of =
                 clod_shape_begins_mesh(&wall->shapes[s]) ? wall->shapes[s].surface : NULL;
             for (size_t p = 0; of != NULL && p < of->part_count; p++) {
-                char line[sizeof wall->name + CLOD_SURFACE_NAME + 2];
-                snprintf(line, sizeof line, "%s.%s\n", wall->name, of->part_name[p]);
+                char line[CLOD_WEAR_NAME + 2];
+                snprintf(line, sizeof line, "%s.%s\n", wall->name, of->part_label[p]);
                 const size_t length = strlen(line);
                 named = named || of->part_name[p][0] != '\0';
                 full = full || used + length >= CLOD_WALL_MESH_PARTS;

@@ -182,6 +182,13 @@ static void list_name(char *list, size_t size, const char *name, size_t length)
     snprintf(list + used, size - used, "%s%.*s", used > 0 ? ", " : "", (int)length, name);
 }
 
+/** Whether a part has a name: "WALL.PART", not "WALL.". */
+static bool is_named(const char *part, size_t length)
+{
+    const char *point = memchr(part, '.', length);
+    return point != NULL && point + 1 < part + length;
+}
+
 static bool fail_hide(const clod_film *film, const char *asked, const char *parts,
                       clod_status *status)
 {
@@ -192,7 +199,7 @@ static bool fail_hide(const clod_film *film, const char *asked, const char *part
     }
     while (parts[0] != '\0') {
         const size_t length = strcspn(parts, "\n");
-        if (length > 0 && parts[length - 1] != '.') { // it has a name
+        if (is_named(parts, length)) {
             list_name(named, sizeof named, parts, length);
         }
         parts += length + (parts[length] == '\n');
@@ -220,46 +227,58 @@ static bool read_parts(const clod_film_frame *frame, char *names, clod_status *s
     return good;
 }
 
-/** Whether a line of a text is this one, and no part without a name. */
-static bool has_line(const char *text, const char *line)
+/** Whether a part in a list, one a line, is asked for; those without names, "WALL.", are not. */
+static bool has_part(const char *list, const clod_stage_part *asked)
 {
-    const size_t length = strlen(line);
-    while (text[0] != '\0') {
-        const size_t here = strcspn(text, "\n");
-        if (here == length && strncmp(text, line, length) == 0) {
-            return length > 0 && line[length - 1] != '.';
+    while (list[0] != '\0') {
+        const size_t length = strcspn(list, "\n");
+        if (is_named(list, length) && clod_stage_is_part(asked, list, length)) {
+            return true;
         }
-        text += here + (text[here] == '\n');
+        list += length + (list[length] == '\n');
     }
     return false;
+}
+
+/** Hide what a text asks for: a wall by name or number, a part by its name in the list `parts`, or
+ *  all parts of shapes of a wall that have this name. */
+static bool hide_one(clod_scan *self, const char *asked, const char *parts, clod_status *status)
+{
+    clod_stage_hidden *hidden = &self->hidden;
+    const int wall = clod_film_wall(&self->film[0], asked);
+    if (wall >= 0) {
+        hidden->wall[wall] = true;
+        return true;
+    }
+    clod_stage_part part = {asked, false};
+    if (!has_part(parts, &part)) {
+        part.any_shape = true;
+        if (!has_part(parts, &part)) {
+            return fail_hide(&self->film[0], asked, parts, status);
+        }
+    }
+    hidden->part[hidden->part_count++] = part;
+    return true;
 }
 
 /** What is not to be shown: walls by name or number, parts of their meshes as WALL.PART. */
 static bool hide(clod_scan *self, const clod_picture_options *options, clod_status *status)
 {
     clod_stage_hidden *hidden = &self->hidden;
-    char *names = clod_memory_alloc(CLOD_VTKHDF_PARTS, 1);
+    char *parts = clod_memory_alloc(CLOD_VTKHDF_PARTS, 1);
     hidden->wall = clod_memory_alloc(CLOD_SCAN_WALLS, sizeof *hidden->wall);
     hidden->wall_count = hidden->wall != NULL ? CLOD_SCAN_WALLS : 0;
     hidden->part = clod_memory_alloc(options->hidden_count + 1, sizeof *hidden->part);
-    bool good = names != NULL && hidden->wall != NULL && hidden->part != NULL;
+    bool good = parts != NULL && hidden->wall != NULL && hidden->part != NULL;
     if (!good) {
         fail_memory(status);
     }
     good = good && (options->hidden_count == 0 ||
-                    read_parts(clod_scan_frame(self, 0, 0), names, status));
+                    read_parts(clod_scan_frame(self, 0, 0), parts, status));
     for (size_t h = 0; good && h < options->hidden_count; h++) {
-        const char *asked = options->hidden[h];
-        const int wall = clod_film_wall(&self->film[0], asked);
-        if (wall >= 0) {
-            hidden->wall[wall] = true;
-        } else if (has_line(names, asked)) {
-            hidden->part[hidden->part_count++] = asked;
-        } else {
-            good = fail_hide(&self->film[0], asked, names, status);
-        }
+        good = hide_one(self, options->hidden[h], parts, status);
     }
-    clod_memory_free(names);
+    clod_memory_free(parts);
     return good;
 }
 

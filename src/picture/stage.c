@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "clod/case_walls.h"
+#include "state/part_labels.h"
 #include "state/shape_kinds.h"
 
 static const double STILL[3] = {0.84, 0.87, 0.91};  ///< steel
@@ -77,14 +78,39 @@ static bool find_planes(clod_stage_walls *self, const clod_vtkhdf *file, clod_st
     return good;
 }
 
-static bool is_hidden_part(const clod_stage_hidden *hidden, const char *name, size_t length)
+/** Whether `length` characters of a name are those of a text, as they stand in names. */
+static bool is_same(const char *name, const char *text, size_t length)
 {
-    for (size_t p = 0; p < hidden->part_count; p++) {
-        if (strlen(hidden->part[p]) == length && strncmp(hidden->part[p], name, length) == 0) {
-            return true;
+    for (size_t k = 0; k < length; k++) {
+        if (clod_part_labels_clean(name[k]) != clod_part_labels_clean(text[k])) {
+            return false;
         }
     }
-    return false;
+    return true;
+}
+
+bool clod_stage_is_part(const clod_stage_part *asked, const char *name, size_t length)
+{
+    const size_t most = strlen(asked->name);
+    if (!asked->any_shape) {
+        return most == length && is_same(name, asked->name, length);
+    }
+    const char *point = memchr(name, '.', length);
+    const size_t head = point != NULL ? (size_t)(point - name) + 1 : length;
+    const size_t digits = strspn(name + head, "0123456789");
+    const size_t tail = head + digits + 1; // behind the number of the shape
+    return digits > 0 && tail < length && name[tail - 1] == '.' &&
+           most == head + length - tail && is_same(name, asked->name, head) &&
+           is_same(name + tail, asked->name + head, length - tail);
+}
+
+static bool is_hidden_part(const clod_stage_hidden *hidden, const char *name, size_t length)
+{
+    bool found = false;
+    for (size_t p = 0; p < hidden->part_count && !found; p++) {
+        found = clod_stage_is_part(&hidden->part[p], name, length);
+    }
+    return found;
 }
 
 /** Hide the triangles of some parts. */

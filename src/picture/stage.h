@@ -8,11 +8,17 @@
 #include "picture/channel.h"
 #include "picture/cutaway.h"
 
+/** Parts that are not shown. */
+typedef struct clod_stage_part {
+    const char *name; ///< borrowed: "WALL.PART"
+    bool any_shape;   ///< of all shapes of the wall: "WALL.1.PART", "WALL.2.PART" ...
+} clod_stage_part;
+
 /** What of the walls is not shown. */
 typedef struct clod_stage_hidden {
     bool *wall; ///< [wall_count] owned by number
     size_t wall_count;
-    const char **part; ///< [part_count] owned, texts borrowed: "WALL.PART"
+    clod_stage_part *part; ///< [part_count] owned
     size_t part_count;
 } clod_stage_hidden;
 
@@ -31,6 +37,15 @@ typedef struct clod_stage_walls {
     bool *plane;            ///< [count] the first of two that show a plane without an end
     bool *hidden;           ///< [count]
 } clod_stage_walls;
+
+/**
+ * Whether the name of a part in a file is asked for. Characters that clod does not write into
+ * names match the _ in their place.
+ *
+ * @param name    [length]
+ * Threads  pure.   Test  tests/cli/test_part_names.py
+ */
+bool clod_stage_is_part(const clod_stage_part *asked, const char *name, size_t length);
 
 /**
  * Read the triangles of a file of walls. Which of them show a plane is told by the column

@@ -3,13 +3,15 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Whether a shape is of a part of a mesh; names of parts are cut to fit. */
+#include "state/part_labels.h"
+
+/** Whether a shape is of a part of a mesh; without a name of one any is. */
 static bool is_of(const clod_shape *shape, const char *part)
 {
     const clod_surface *surface = shape->surface;
     return part == NULL ||
-           (surface != NULL && strncmp(surface->part_name[surface->patches[shape->patch].part],
-                                       part, CLOD_SURFACE_NAME - 1) == 0);
+           (surface != NULL &&
+            clod_part_labels_asked(surface, surface->patches[shape->patch].part, part));
 }
 
 /** Note an outlet in the shapes of its wall; how many there are. */
@@ -39,9 +41,9 @@ static void say_parts(const clod_walls *walls, const char *name, char *text, siz
             const clod_surface *surface = wall->shapes[s].surface;
             for (size_t p = 0; surface != NULL && surface != last && p < surface->part_count;
                  p++) {
-                if (surface->part_name[p][0] != '\0' && used < size) {
+                if (surface->part_label[p][0] != '\0' && used < size) {
                     used += (size_t)snprintf(text + used, size - used, "%s%s",
-                                             used > 0 ? ", " : "", surface->part_name[p]);
+                                             used > 0 ? ", " : "", surface->part_label[p]);
                 }
             }
             last = surface;

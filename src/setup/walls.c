@@ -9,6 +9,7 @@
 #include "mesh/surface_touch.h"
 #include "setup/outlets.h"
 #include "setup/surface.h"
+#include "state/part_labels.h"
 #include "state/wear.h"
 
 /** The mean velocity of a step is then within (2 pi/50)^2/24 = 0.07 % of the velocity in it. */
@@ -229,6 +230,10 @@ static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod
             return false;
         }
     }
+    if (!clod_part_labels_make(wall)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the surfaces of walls.%s",
+                                wall->name);
+    }
     clod_wall_find_symmetry(wall);
     const int32_t plane = clod_wall_plane_across(wall);
     return plane < 0 || !ever_turns(from, given) ||
@@ -277,6 +282,29 @@ static void set_wear(const clod_case *from, clod_wall *wall)
     }
 }
 
+/** Whether no wall `surface_NAME` stands beside one of this name that has a single surface: the
+ *  columns of this would be called as its own. */
+static bool check_names(const clod_walls *walls, clod_status *status)
+{
+    static const char BEFORE[] = "surface_"; // of the names of the columns (sim/surfaces.c)
+    for (int32_t w = 0; w < walls->count; w++) {
+        const char *name = walls->wall[w].name, *rest = name + sizeof BEFORE - 1;
+        const bool begins = strncmp(name, BEFORE, sizeof BEFORE - 1) == 0;
+        const int32_t other = begins ? clod_walls_find(walls, rest) : -1;
+        char surface[CLOD_WEAR_NAME] = "";
+        if (other >= 0) {
+            clod_wear_name(&walls->wall[other], 0, surface, sizeof surface);
+        }
+        if (begins && strcmp(surface, rest) == 0) {
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "walls.%s: with output.surfaces the columns of walls.%s "
+                                    "in series.csv have this name; rename one of the walls",
+                                    name, rest);
+        }
+    }
+    return true;
+}
+
 bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *status)
 {
     *walls = (clod_walls){0};
@@ -298,7 +326,8 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
                                     walls->wall[w].name);
         }
     }
-    return clod_setup_outlets(from, walls, status);
+    return (!from->output.surfaces || check_names(walls, status)) &&
+           clod_setup_outlets(from, walls, status);
 }
 
 bool clod_setup_wall_stays(const clod_case *from, const clod_wall *wall)

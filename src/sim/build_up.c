@@ -6,14 +6,13 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "measure/resting_mass.h"
+#include "state/wear.h"
 
 /** One of what grains rest on: a wall, or a part of a mesh. */
 typedef struct target {
     clod_resting_target on;
     size_t past; ///< number of its past
 } target;
-
-#define NAME 72 ///< bytes of a target's
 
 /** What is remembered of one. */
 typedef struct past {
@@ -243,13 +242,8 @@ static void name_target(const target *self, const clod_state *state, char *text,
         snprintf(text, size, "%s", wall->name);
         return;
     }
-    snprintf(text, size, "%s.%s", wall->name,
-             wall->shapes[self->on.first].surface->part_name[self->on.part]);
-    for (char *c = text; *c != '\0'; c++) { // a name of a mesh file may have anything in it
-        if (strchr(" ,\"[]\t", *c) != NULL) {
-            *c = '_';
-        }
-    }
+    const clod_shape *first = &wall->shapes[self->on.first];
+    clod_wear_name(wall, first->face + self->on.part, text, size);
 }
 
 static void pass_by(void *context, size_t number, const target *self, const clod_state *state)
@@ -276,7 +270,7 @@ static void put_header(void *context, size_t number, const target *self,
                        const clod_state *state)
 {
     const header *asked = context;
-    char name[NAME];
+    char name[CLOD_WEAR_NAME];
     if (number == asked->number) {
         name_target(self, state, name, sizeof name);
         snprintf(asked->text, asked->size, "%s.resting_mass [kg]", name);
@@ -319,7 +313,7 @@ static void put_line(void *context, size_t number, const target *of, const clod_
     const line_pen *pen = context;
     const past *mass = &pen->self->of[of->past];
     const double rate = clod_build_up_rate(pen->self->time, mass->mass, pen->self->points);
-    char name[NAME];
+    char name[CLOD_WEAR_NAME];
     name_target(of, state, name, sizeof name);
     fprintf(pen->out, "  resting on %-11s %.4g kg at the end, largest %.4g kg at %.4g s", name,
             mass->now, mass->most, mass->most_time);
@@ -350,7 +344,7 @@ static void put_object(void *context, size_t number, const target *of, const clo
     const json_pen *pen = context;
     const past *mass = &pen->self->of[of->past];
     const double rate = clod_build_up_rate(pen->self->time, mass->mass, pen->self->points);
-    char name[NAME];
+    char name[CLOD_WEAR_NAME];
     name_target(of, state, name, sizeof name);
     json_object_set_new(pen->all, name,
                         json_pack("{s:f, s:f, s:o, s:o, s:f, s:f}", "since_s", pen->since,

@@ -21,6 +21,7 @@
 #include "sim/news.h"
 #include "sim/sight.h"
 #include "sim/steady_time.h"
+#include "state/wear.h"
 
 /** What a measure looks at. */
 typedef struct clod_free_moment {
@@ -129,7 +130,10 @@ bool clod_free_measures_picture(void *memory, const clod_free_moment *now,
 /** Number of all columns. */
 size_t clod_free_measures_columns(const clod_case *from, const clod_state *state);
 
-/** Header text of column k of all. */
+/** Bytes of the header text of a column. */
+#define CLOD_FREE_COLUMN_TEXT (CLOD_WEAR_NAME + 64)
+
+/** Header text of column k of all, the only one with its name. */
 void clod_free_measures_column(const clod_case *from, const clod_state *state, size_t k,
                                char *text, size_t size);
 

@@ -25,7 +25,6 @@
 static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]",
                                     "max_speed [m/s]"};
 #define FIRST_COUNT (sizeof FIRST / sizeof *FIRST)
-#define COLUMN_TEXT 128
 
 /** Data of the procedure: where it is, and how each stage that is over ended. What the measures
  *  remember lies behind it. */
@@ -175,16 +174,16 @@ static const char *free_reason(const void *data)
 
 /** Header texts, fixed ones and those of the measures; one block of owned text. */
 static char (*make_columns(const clod_case *from, const clod_state *state,
-                           const char **columns))[COLUMN_TEXT]
+                           const char **columns))[CLOD_FREE_COLUMN_TEXT]
 {
     const size_t made = clod_free_measures_columns(from, state);
-    char(*text)[COLUMN_TEXT] = clod_memory_alloc(made + 1, COLUMN_TEXT);
+    char(*text)[CLOD_FREE_COLUMN_TEXT] = clod_memory_alloc(made + 1, CLOD_FREE_COLUMN_TEXT);
     if (text == NULL) {
         return NULL;
     }
     memcpy(columns, FIRST, sizeof FIRST);
     for (size_t k = 0; k < made; k++) {
-        clod_free_measures_column(from, state, k, text[k], COLUMN_TEXT);
+        clod_free_measures_column(from, state, k, text[k], CLOD_FREE_COLUMN_TEXT);
         columns[FIRST_COUNT + k] = text[k];
     }
     return text;
@@ -369,7 +368,7 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
     bool ok = make_state(&job, &bed, status);
     const size_t count = FIRST_COUNT + clod_free_measures_columns(sim->from, &job.state);
     const char **columns = clod_memory_alloc(count, sizeof *columns);
-    char(*text)[COLUMN_TEXT] =
+    char(*text)[CLOD_FREE_COLUMN_TEXT] =
         ok && columns != NULL ? make_columns(sim->from, &job.state, columns) : NULL;
     if (ok && (text == NULL || data == NULL)) {
         ok = clod_status_fail(status, CLOD_FAILED, "no memory for %zu columns", count);

@@ -11,16 +11,16 @@
 #include "clod/sim.h"
 #include "law/law.h"
 #include "parallel/ranks.h"
+#include "sim/free_measures.h"
 #include "state/state.h"
 #include "step/step.h"
 
-#define CLOD_SIM_COLUMN_TEXT 128
 #define CLOD_SIM_ARRAYS 10 ///< properties of grains (sim_arrays.c)
 
 /** What a column of the series is known by. */
 typedef struct clod_sim_heading {
-    int owner;                       ///< its measure
-    char text[CLOD_SIM_COLUMN_TEXT]; ///< name and, behind a zero byte, unit
+    int owner;                        ///< its measure
+    char text[CLOD_FREE_COLUMN_TEXT]; ///< name and, behind a zero byte, unit
 } clod_sim_heading;
 
 /** A property of grains lent as a copy (sim_loans.c). */

@@ -59,7 +59,7 @@ static void report_face(FILE *out, const clod_wall *wall, int32_t face)
     const clod_impact_sums *all = &clod_wear_impacts(wall, face)->all;
     if (all->number > 0.0) {
         const means of = means_of(all);
-        char name[64];
+        char name[CLOD_WEAR_NAME];
         clod_wear_name(wall, face, name, sizeof name);
         fprintf(out, "  %-22s %9.0f %6.1f +- %4.1f %9.4g +- %-9.3g %9.4g +- %-9.3g\n", name,
                 all->number, of.angle.mean, of.angle.deviation, of.speed.mean,
@@ -140,7 +140,7 @@ json_t *clod_surface_impacts_json(const clod_impacts *self)
 static void print_face(FILE *out, const clod_wall *wall, int32_t face)
 {
     const clod_impacts *self = clod_wear_impacts(wall, face);
-    char name[64];
+    char name[CLOD_WEAR_NAME];
     clod_wear_name(wall, face, name, sizeof name);
     for (int a = 0; a < CLOD_IMPACT_ANGLES; a++) {
         for (int e = 0; e < CLOD_IMPACT_ENERGIES; e++) {

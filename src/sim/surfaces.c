@@ -130,7 +130,7 @@ static void surfaces_column(const clod_case *from, const clod_state *state, size
          w++) {
         number -= faces;
     }
-    char name[64];
+    char name[CLOD_WEAR_NAME];
     clod_wear_name(&state->walls.wall[w], (int32_t)number, name, sizeof name);
     const size_t c = k % PER_FACE_COUNT;
     snprintf(text, size, "surface_%s.%s", name,
@@ -199,7 +199,7 @@ static void report_wall(FILE *out, const clod_wall *wall, double now)
     const double time = now - wall->wear_since;
     for (int32_t f = 0; time > 0.0 && f < clod_wear_summed(wall); f++) {
         const face total = face_of(wall, f, now), *of = &total;
-        char name[64];
+        char name[CLOD_WEAR_NAME];
         clod_wear_name(wall, f, name, sizeof name);
         if (of->sum[CLOD_WEAR_IMPACTS] == 0.0 && of->sum[CLOD_WEAR_SHEAR] == 0.0) {
             continue;
@@ -238,7 +238,7 @@ static void surfaces_report(FILE *out, const void *memory, const clod_free_momen
 
 static json_t *face_json(const clod_wall *wall, int32_t number, const face *of, double time)
 {
-    char name[64];
+    char name[CLOD_WEAR_NAME];
     clod_wear_name(wall, number, name, sizeof name);
     const double *sum = of->sum;
     json_t *one = json_pack(

@@ -94,8 +94,10 @@ typedef struct clod_start_up {
     double duration; ///< s, in which the speed rises linearly
 } clod_start_up;
 
+#define CLOD_WALL_NAME 32 ///< bytes of a wall's name
+
 typedef struct clod_wall {
-    char name[32];
+    char name[CLOD_WALL_NAME];
     uint16_t material; ///< of the shapes that have none of their own
     int32_t shape_count;
     clod_shape *shapes; ///< owned

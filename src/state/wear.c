@@ -54,16 +54,6 @@ void clod_wear_visit(const clod_wall *wall, clod_wear_look look, void *context)
     }
 }
 
-/** Characters that have a meaning in the header of a table become _. */
-static void clean(char *text)
-{
-    for (char *at = text; *at != '\0'; at++) {
-        if ((unsigned char)*at < ' ' || strchr(",;\"[]", *at) != NULL) {
-            *at = '_';
-        }
-    }
-}
-
 void clod_wear_name(const clod_wall *wall, int32_t face, char *text, size_t size)
 {
     for (int32_t s = wall->shape_count; s-- > 0;) {
@@ -71,9 +61,8 @@ void clod_wear_name(const clod_wall *wall, int32_t face, char *text, size_t size
         const clod_surface *surface = shape->surface;
         if (surface != NULL && shape->face <= face &&
             face < shape->face + (int32_t)surface->part_count &&
-            surface->part_name[face - shape->face][0] != '\0') {
-            snprintf(text, size, "%s.%s", wall->name, surface->part_name[face - shape->face]);
-            clean(text);
+            surface->part_label[face - shape->face][0] != '\0') {
+            snprintf(text, size, "%s.%s", wall->name, surface->part_label[face - shape->face]);
             return;
         }
     }

@@ -63,7 +63,15 @@ typedef void (*clod_wear_look)(void *context, const clod_wall *wall, clod_wear_p
 /** Look at every place of a wall whose shapes are numbered. */
 void clod_wear_visit(const clod_wall *wall, clod_wear_look look, void *context);
 
-/** Name of a surface: WALL.PART, WALL.NUMBER, or WALL where it has no other. */
+/** Bytes of the name of a surface. */
+#define CLOD_WEAR_NAME (CLOD_WALL_NAME + CLOD_SURFACE_LABEL)
+
+/**
+ * Name of a surface, the only one in its walls: WALL.PART with the part's label (part_labels.h),
+ * WALL.NUMBER, or WALL where it has no other.
+ *
+ * @param text  [size] [out] CLOD_WEAR_NAME bytes hold any name
+ */
 void clod_wear_name(const clod_wall *wall, int32_t face, char *text, size_t size);
 
 /** Area of a place of a shape [m2]; 0 for shapes without a bound. */

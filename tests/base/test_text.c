@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -62,12 +63,37 @@ static void every_length(void **state)
     }
 }
 
+/** Unicode, table 3-7: sequences that are well formed stay; of others, and of controls, each byte is a ?. */
+static void what_is_no_text_is_replaced(void **state)
+{
+    (void)state;
+    static const char *const CASES[][2] = {
+        {"", ""},
+        {"plate 1", "plate 1"},
+        {"Bl\xC3\xA4tter \xE2\x82\xAC \xF0\x9F\x98\x80",
+         "Bl\xC3\xA4tter \xE2\x82\xAC \xF0\x9F\x98\x80"},
+        {"\x1B[31m\t\x7F", "?[31m??"},
+        {"Bl\xE4tter", "Bl?tter"},                     // Latin-1
+        {"\xC2\x9B\xC2\xA0", "??\xC2\xA0"},            // a control of Unicode, no-break space
+        {"\xC0\xAF|\xE0\x80\xAF", "??|???"},           // overlong
+        {"\xED\xA0\x80|\xF4\x90\x80\x80", "???|????"}, // surrogate, beyond U+10FFFF
+        {"a\xE2\x82", "a??"},                          // cut off
+    };
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        char text[32];
+        snprintf(text, sizeof text, "%s", CASES[k][0]);
+        clod_text_printable(text);
+        assert_string_equal(text, CASES[k][1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_empty_text),
         cmocka_unit_test(a_long_text),
         cmocka_unit_test(every_length),
+        cmocka_unit_test(what_is_no_text_is_replaced),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

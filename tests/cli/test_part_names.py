@@ -1,0 +1,141 @@
+"""Names of parts on the command line: those that several shapes of a wall share (tests/support/same_names.py)."""
+
+import json
+import os
+import shutil
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+import same_names
+
+# Names as Blender and CAD write them, with the belt speed [m/s] and friction of each in the case.
+LONG = "liner of the upper chute, inner side, part number "
+NAMED = {"Cube.001": (1, 0.5), "Hood-left: plate": (1, 0.2), LONG + "1": (0, 0), LONG + "2": (-1, 0.5)}
+PLACES = [(50, 50), (150, 50), (50, 250), (150, 250)]  # mm, of the grains there
+
+VIEW = ("--from=0.4,0.2,3", "--at=0.4,0.2,0", "--angle=20", "--size=400x300", "--quality=draft")
+
+
+class PartNames(clod.Case):
+
+    def go_same(self, text=same_names.CASE):
+        same_names.write(self.path, text)
+        return clod.run("run", "case.yaml", "-o", "run", "--fresh", cwd=self.folder)
+
+    def picture(self, *hidden, code=0):
+        done = clod.run("picture", "run", "-o", "a.png", *VIEW, *[f"--hide={name}" for name in hidden],
+                        cwd=self.folder)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return clod.read(self.path("a.png")) if code == 0 else done.stderr
+
+    def test_a_picture_hides_one_or_all(self):
+        """WALL.PART hides the parts of this name of all shapes, WALL.NUMBER.PART that of one."""
+        self.assertEqual(self.go_same().returncode, 0)
+        both = self.picture("plates.left")
+        self.assertEqual(both, self.picture("plates.1.left", "plates.2.left"))
+        one = self.picture("plates.1.left")
+        self.assertEqual(len({self.picture(), both, one, self.picture("plates.2.left")}), 4)
+        self.assertEqual(self.picture("plates.left", "plates.right", "belts.run 1"), self.picture("plates", "belts"))
+        names = ", ".join(same_names.GRAINS)
+        for name in ("plates.3.left", "plates.1.run 1", "plates.", "plates.1.", "left"):
+            self.assertIn(f"no such wall or part. Walls: plates, belts; or their numbers, from 0. Parts: {names}.",
+                          self.picture(name, code=2))
+
+    def test_an_outlet_is_one_or_all(self):
+        """Its grains are not pushed, and are gone when they have sunk by half of the largest radius: 30 ms."""
+        case = same_names.CASE.replace("4 ms", "40 ms") + "outlets: {exit: {wall: WALL, part: PART}}\n"
+        for part, surfaces in (("left", ["plates.1.left", "plates.2.left"]), ("2.left", ["plates.2.left"])):
+            done = self.go_same(case.replace("WALL", "plates").replace("PART", part))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            gone = self.summary("run")["outlets"]["exit"]["mass_kg"]
+            self.assertAlmostEqual(gone / sum(same_names.mass(one) for one in surfaces), 1.0, 12)
+        done = self.go_same(case.replace("WALL", "belts").replace("PART", "3.run 1"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("outlets.exit.part: walls.belts has no part '3.run 1'; its parts are 1.run 1, 2.run 1", done.stderr)
+
+    def test_a_name_that_is_too_long(self):
+        """A name of 255 bytes is whole, and one more is refused with its line; OBJ and STL alike."""
+        stl = "solid {}\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"
+        for kind, text, line in (("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng {}\nf 1 2 3\n", 4), ("stl", stl, 1)):
+            for length in (255, 256):
+                with open(self.path(f"a.{kind}"), "w") as file:
+                    file.write(text.format("n" * length))
+                done = clod.run("mesh", f"a.{kind}", "--unit=m", cwd=self.folder)
+                if length == 255:
+                    self.assertIn("  " + "n" * length + "\n", done.stdout)
+                else:
+                    self.assertEqual(done.returncode, 2)
+                    self.assertIn(f"a.{kind}:{line}: the name of the part has 256 bytes; at most 255", done.stderr)
+
+    def go_named(self, key="Cube.001", *options):
+        """The plates with these names; what each part is given follows from its name."""
+        text = same_names.CASE.replace("friction: 0}}", "friction: 0.5}, ore-slick: {friction: 0.2}}")
+        text = text.replace("materials: {", "materials: {slick: {density: 1000 kg/m3}, ")
+        text = text.replace("file: one.obj, unit: 1 mm", f"""file: one.obj, unit: 1 mm, parts: {{{key}: {{speed: 1 m/s}},
+               "Hood-left: plate": {{material: slick, speed: 1 m/s}}}}""")
+        text = text.replace("file: two.obj, unit: 1 mm", f"""file: two.obj, unit: 1 mm,
+               parts: {{"{LONG}2": {{speed: -1 m/s}}}}""")
+        same_names.write(self.path, text)
+        for file, names in (("one.obj", list(NAMED)[:2]), ("two.obj", list(NAMED)[2:])):
+            with open(self.path(file), "w") as out:
+                out.write(same_names.PLATE.replace("o left", f"o {names[0]}").replace("o right", f"o {names[1]}"))
+        return clod.run("run", "case.yaml", "-o", "run", "--fresh", *options, cwd=self.folder)
+
+    def test_names_of_cad(self):
+        """Parts with points, blanks, colons and long names have material and belt of their own: where it slips, a
+        grain drags the belt with friction times its weight."""
+        done = self.go_named()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        last = {name.split(" [")[0]: float(value) for name, value in self.rows("run")[-1].items()}
+        grains = {place[:2]: name for name, place in same_names.GRAINS.items()}
+        for (name, (speed, friction)), place in zip(NAMED.items(), PLACES):
+            weight = same_names.mass(grains[place]) * same_names.GRAVITY
+            column = f"surface_plates.{name.replace(',', '_')}.force_x"
+            self.assertAlmostEqual(last[column] / weight, -friction * speed, 4, name)
+        shutil.copy(self.path("run/case-complete.yaml"), self.path("again.yaml"))
+        done = clod.run("check", "again.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        every = [f"plates.{name}" for name in NAMED]
+        self.assertEqual(self.picture(*every), self.picture("plates"))
+        self.assertNotEqual(self.picture(*every[1:]), self.picture("plates"))
+
+    def test_a_part_that_the_mesh_has_not(self):
+        """The message has the place, however the part is called."""
+        for key in ("Cube_001", "Cube.002", '"Cube: 1 [m]"'):
+            done = self.go_named(key)
+            self.assertEqual(done.returncode, 2)
+            place = "case.yaml:11:52: " if key[0] == '"' else "case.yaml:11:51: "  # behind the quote
+            self.assertIn(f"{place}walls.plates.shapes.0.mesh.parts.{key.strip(chr(34))}: the mesh ", done.stderr)
+            self.assertIn("its parts are Cube.001, Hood-left: plate", done.stderr)
+
+    def test_a_setting_of_a_part(self):
+        done = self.go_named("Cube.001", "--set", "walls.plates.shapes.0.mesh.parts.Cube.001.speed=-3 m/s")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(b'"Cube.001":\n', clod.read(self.path("run/case-complete.yaml")))
+        self.assertIn(b"speed: -3 m/s\n", clod.read(self.path("run/case-complete.yaml")))
+
+    def test_names_that_are_no_text(self):
+        """Control characters and bytes that are no UTF-8 reach no terminal; a name that comes again goes on."""
+        facet = b"v 0 0 0\nv %d 0 0\nv 0 1 0\nf -3 -2 -1\n"
+        names = [b"red \x1b[31m", b"Bl\xe4tter", "Blätter".encode(), b"red \x1b[31m", b"\xc2\x9b1m"]
+        with open(self.path("a.obj"), "wb") as file:
+            file.writelines(b"o " + name + b"\n" + facet % (k + 1) for k, name in enumerate(names))
+        told = ["red ?[31m", "Bl?tter", "Blätter", "??1m"]
+        done = clod.run("mesh", "a.obj", "--unit=m", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in told:
+            self.assertIn(f"  {name}\n", done.stdout)
+        self.assertEqual([c for c in done.stdout if ord(c) < 32 and c != "\n" or 127 <= ord(c) < 160], [])
+        done = clod.run("mesh", "a.obj", "--unit=m", "--json", cwd=self.folder)
+        self.assertEqual([part["name"] for part in json.loads(done.stdout)["parts"]], told)
+        case = same_names.CASE.replace("file: one.obj, unit: 1 mm", 'file: a.obj, unit: 1 mm, parts: {"no\\e": {}}')
+        same_names.write(self.path, case)
+        done = clod.run("check", "case.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(".parts.no?: the mesh ", done.stderr)
+        self.assertIn("its parts are " + ", ".join(told), done.stderr)
+
+
+if __name__ == "__main__":
+    clod.main()
