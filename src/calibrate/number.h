@@ -6,6 +6,7 @@
 
 #include <jansson.h>
 
+#include "base/unit_endings.h"
 #include "calibrate/plan.h"
 
 /** Relative: as clod locus tells consolidation stresses apart. */
@@ -37,7 +38,8 @@ typedef struct clod_number {
 #define CLOD_NUMBERS_SHEAR_COUNT 11
 #define CLOD_NUMBERS_UNIAXIAL_COUNT 3
 #define CLOD_NUMBERS_WALL_COUNT 4
-#define CLOD_NUMBERS_PATH_COUNT 16
+#define CLOD_NUMBERS_PATH_ONE(ending, si, shown, factor) +1
+#define CLOD_NUMBERS_PATH_COUNT (1 CLOD_UNIT_ENDINGS(CLOD_NUMBERS_PATH_ONE))
 extern const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT];
 extern const clod_number CLOD_NUMBERS_UNIAXIAL[CLOD_NUMBERS_UNIAXIAL_COUNT];
 extern const clod_number CLOD_NUMBERS_WALL[CLOD_NUMBERS_WALL_COUNT];

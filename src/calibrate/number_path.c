@@ -13,30 +13,12 @@
 
 #define MOST_NAMES 256 ///< that a message tells, as many as find room in it
 
-#define ROW(suffix, si, shown, factor)                                                         \
-    {                                                                                          \
-        suffix, si, {shown, factor, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, NULL, NULL \
-    }
+#define ROW(ending, si, shown, factor)                                                         \
+    {ending, si, {shown, factor, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, NULL, NULL},
 
-// By the end of the name, the longer before those that it ends with; the last fits any.
-const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT] = {
-    ROW("_deg", "rad", "deg", 1.0 / CLOD_NUMBER_DEGREE),
-    ROW("_rad", "rad", "rad", 1.0),
-    ROW("_kg_per_m3", "kg/m3", "kg/m3", 1.0),
-    ROW("_kg_m3", "kg/m3", "kg/m3", 1.0),
-    ROW("_kg_per_s", "kg/s", "kg/s", 1.0),
-    ROW("_kg_s", "kg/s", "kg/s", 1.0),
-    ROW("_m_per_s", "m/s", "m/s", 1.0),
-    ROW("_per_s", "1", "", 1.0),
-    ROW("_per_m", "1", "", 1.0),
-    ROW("_N_m", "1", "", 1.0),
-    ROW("_Pa", "Pa", "Pa", 1.0),
-    ROW("_kg", "kg", "kg", 1.0),
-    ROW("_N", "N", "N", 1.0),
-    ROW("_m", "m", "m", 1.0),
-    ROW("_s", "s", "s", 1.0),
-    ROW("", "1", "", 1.0),
-};
+// By the end of the name; the last fits any.
+const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT] = {CLOD_UNIT_ENDINGS(ROW)
+                                                                    ROW("", "1", "", 1.0)};
 
 bool clod_number_is_path(const clod_number *self)
 {

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -141,8 +142,8 @@ class Paths(bounce.Bounce):
             self.assertIn(name, summary)
         paths = [path for path in leaves(summary) if path != "kinetic_energy_J"]
         self.assertGreater(len(paths), 150)
-        for first in range(0, len(paths), 25):
-            done = self.checked(paths[first:first + 25])
+        for first in range(0, len(paths), 100):
+            done = self.checked(paths[first:first + 100])
             self.assertEqual(done.returncode, 0, done.stderr)
 
     def run_stream(self):
@@ -195,6 +196,24 @@ class Paths(bounce.Bounce):
                 self.assertEqual(of - names - {"name", "spillage"}, set(), line)
                 seen |= {path} if missing else set()
         self.assertEqual(seen, set(SOME_RUNS))
+
+    def test_every_name_that_ends_in_a_unit_takes_it(self):
+        """A unit that none has is refused as a wrong one, but where the name has none: there as one too many."""
+        ends = re.compile(r"_(deg|rad|J|W|N|Nm|Pa|kg|m|m2|m3|s|s2)$")
+        every = {re.sub(r"\.\d+", ".0", path): path for path in leaves(self.run_stream()) if path != "kinetic_energy_J"}
+        paths, lines = [path for path in every.values() if not path.startswith("clumps.counts.")], []
+        for first in range(0, len(paths), 50):
+            self.write("plan.yaml", self.plan_of(paths[first:first + 50]).replace("value: 1,", "value: 1 kg2,"))
+            done = clod.run("calibrate", "plan.yaml", "--check", cwd=self.folder)
+            lines += [line for line in done.stderr.splitlines() if ".value: 1 kg2: " in line]
+        self.assertEqual(len(lines), len(paths), lines)
+        units = set()
+        for path, line in zip(paths, lines):
+            end = next((ends.search(name)[0] for name in reversed(path.split(".")) if ends.search(name)), "")
+            self.assertEqual("takes a pure number" in line, end == "", (path, line))
+            self.assertNotIn("is not a number", line)
+            units.add(end)
+        self.assertLessEqual({"", "_deg", "_J", "_W", "_N", "_Nm", "_Pa", "_kg", "_m", "_m2", "_s"}, units)
 
     def test_what_this_stream_will_not_have_is_refused(self):
         self.run_stream()
@@ -313,7 +332,10 @@ class Paths(bounce.Bounce):
                 ("repose.heap.height_m, value: 40 deg, error: 2 mm", "targets.0.value: 40 deg"),
                 ("walls.0.force_N.2, value: 1 kN, error: 1 N", None),
                 ("grains, value: 12 mm, error: 1", "targets.0.value: 12 mm"),
-                ("kinetic_energy_J, value: 1 J, error: 1", "targets.0.value: 1 J")):
+                ("kinetic_energy_J, value: 1 mJ, error: 1e-4 N m", None),
+                ("kinetic_energy_J, value: 1 W, error: 1", "targets.0.value: 1 W: 1 W is not an energy; use a unit such as mJ"),
+                ("walls.0.torque_Nm.2, value: 1 N m, error: 1", None),
+                ("walls.0.torque_Nm.2, value: 1 N, error: 1", "1 N is not a torque")):
             done = self.told(target + "}  #")
             self.assertEqual(done.returncode, 0 if word is None else 2, (target, done.stderr))
             self.assertIn(word or "", done.stderr)

@@ -56,7 +56,8 @@ static void the_end_of_the_name_is_the_unit(void **state)
     assert_string_equal(unit_of("repose.heap.strips"), "");
     assert_string_equal(unit_of("time_s"), "s");
     assert_string_equal(unit_of("walls.0.force_N.2"), "N");
-    assert_string_equal(unit_of("walls.1.torque_Nm.2"), "");
+    assert_string_equal(unit_of("walls.1.torque_Nm.2"), "N m");
+    assert_string_equal(unit_of("kinetic_energy_J"), "J");
     assert_string_equal(unit_of("gauges.exit.mass_kg.mean"), "kg");
     assert_string_equal(unit_of("gauges.exit.mass_flow_kg_per_s.mean"), "kg/s");
     assert_string_equal(unit_of("gauges.exit.speed_m_per_s.deviation"), "m/s");
@@ -105,6 +106,40 @@ static void a_place_beyond_the_end_of_a_list_is_none(void **state)
     assert_non_null(clod_number_find(&test, "walls.1.angle_rad"));
     assert_non_null(clod_number_find(&test, "walls.0.force_N.2"));
     assert_null(clod_number_find(&test, "walls.0.force_N.3")); // x, y, z
+}
+
+/** Of a name in a list of its own. */
+static const clod_number *row_of(const char *name)
+{
+    clod_free_paths paths = {0};
+    clod_free_paths_add(&paths, NULL, "%s", name);
+    const clod_number *found = clod_number_path_find(&paths, name);
+    clod_free_paths_fini(&paths);
+    assert_non_null(found);
+    return found;
+}
+
+static void units_with_several_letters_are_not_taken_for_their_last(void **state)
+{
+    (void)state;
+    static const char *const UNIT[][2] = {{"archard_m3_per_s", "m3/s"},
+                                          {"finnie_depth_m_per_s", "m/s"},
+                                          {"impacts_per_s", "1/s"},
+                                          {"temperature_m2_per_s2", "m2/s2"},
+                                          {"wall_force_N_per_m3", "N/m3"},
+                                          {"density_kg_per_m3", "kg/m3"},
+                                          {"volume_m3", "m3"},
+                                          {"area_m2", "m2"},
+                                          {"shear_power_W", "W"},
+                                          {"torque_Nm", "N m"},
+                                          {"largest_pressure_Pa", "Pa"},
+                                          {"mass_share", ""},
+                                          {"m", ""},
+                                          {"kg", ""}};
+    for (size_t k = 0; k < sizeof UNIT / sizeof *UNIT; k++) {
+        assert_string_equal(row_of(UNIT[k][0])->unit, UNIT[k][1][0] == '\0' ? "1" : UNIT[k][1]);
+        assert_string_equal(row_of(UNIT[k][0])->measure.unit, UNIT[k][1]);
+    }
 }
 
 static double read_of(const char *text, const char *path)
@@ -158,6 +193,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_end_of_the_name_is_the_unit),
+        cmocka_unit_test(units_with_several_letters_are_not_taken_for_their_last),
         cmocka_unit_test(a_section_that_the_case_lacks_is_none),
         cmocka_unit_test(a_place_beyond_the_end_of_a_list_is_none),
         cmocka_unit_test(values_are_si),
