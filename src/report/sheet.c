@@ -83,6 +83,12 @@ void clod_sheet_figure(clod_sheet *self, clod_figure *figure)
             clod_html_text(self->body, figure->note);
             fputs("</figcaption>", self->body);
         }
+        char alike[256];
+        if (clod_figure_alike(figure, alike)) {
+            fputs("<figcaption>", self->body);
+            clod_html_text(self->body, alike);
+            fputs("</figcaption>", self->body);
+        }
         fputs("</figure>\n", self->body);
         fputs(self->file_count > 1 ? ",\n" : "", self->figures);
         clod_figure_json(self->figures, figure);
