@@ -88,20 +88,35 @@ static bool put(const request *self, const char *ending, char *text, clod_status
     return done;
 }
 
-/** Write the page, say so, and say on standard error what it lacks, if anything. */
+/** Write the page: first, since it may be refused. */
 static bool put_page(const request *self, const clod_hopper *hopper, clod_status *status)
 {
     char *path = name_of(self, ".html");
     const bool done = path != NULL
                           ? clod_report_hopper(hopper, path, status)
                           : clod_status_fail(status, CLOD_FAILED, "No memory for the page.");
-    if (done) {
-        fprintf(self->json ? stderr : stdout, "wrote %s\n", path);
-        if (clod_report_lacks() != NULL) {
-            fprintf(stderr, "clod hopper: %s.\n", clod_report_lacks());
-        }
-    }
     free(path);
+    return done;
+}
+
+/** Say that the page is written, and on standard error what it lacks, if anything. */
+static void tell_page(const request *self)
+{
+    fprintf(self->json ? stderr : stdout, "wrote %s.html\n", self->output);
+    if (clod_report_lacks() != NULL) {
+        fprintf(stderr, "clod hopper: %s.\n", clod_report_lacks());
+    }
+}
+
+/** Write all files that belong to a name. */
+static bool put_files(const request *self, const clod_hopper *hopper, clod_status *status)
+{
+    const bool done = put_page(self, hopper, status) &&
+                      put(self, ".json", clod_hopper_json(hopper), status) &&
+                      put(self, ".svg", clod_hopper_chart(hopper), status);
+    if (done) {
+        tell_page(self);
+    }
     return done;
 }
 
@@ -128,11 +143,8 @@ static bool run(const request *self, clod_status *status)
     if (hopper == NULL) {
         return false;
     }
-    const bool done =
-        print(self, hopper, status) &&
-        (self->output == NULL || (put(self, ".json", clod_hopper_json(hopper), status) &&
-                                  put(self, ".svg", clod_hopper_chart(hopper), status) &&
-                                  put_page(self, hopper, status)));
+    const bool done = print(self, hopper, status) &&
+                      (self->output == NULL || put_files(self, hopper, status));
     clod_hopper_destroy(&hopper);
     return done;
 }

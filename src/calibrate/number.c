@@ -6,11 +6,11 @@
 #include "calibrate/test_kinds.h"
 #include "config/suggest.h"
 
-const clod_number *clod_number_find(const clod_case *from, const char *key)
+const clod_number *clod_number_find(const clod_plan_test *of, const char *key)
 {
-    const clod_test_kind *kind = clod_test_kinds_of(from);
+    const clod_test_kind *kind = clod_test_kinds_of(of->middle);
     if (kind->paths) {
-        return clod_number_path_find(from, key);
+        return clod_number_path_find(&of->paths, key);
     }
     for (size_t k = 0; k < kind->number_count; k++) {
         if (strcmp(kind->numbers[k].key, key) == 0) {
@@ -20,11 +20,12 @@ const clod_number *clod_number_find(const clod_case *from, const char *key)
     return NULL;
 }
 
-const char *clod_number_hint(const clod_case *from, const char *key, char *buffer, size_t size)
+const char *clod_number_hint(const clod_plan_test *of, const char *key, char *buffer,
+                             size_t size)
 {
-    const clod_test_kind *kind = clod_test_kinds_of(from);
+    const clod_test_kind *kind = clod_test_kinds_of(of->middle);
     if (kind->paths) {
-        return clod_number_path_hint(from, key, buffer, size);
+        return clod_number_path_hint(&of->paths, key, buffer, size);
     }
     clod_suggest near = clod_suggest_start(key);
     for (size_t k = 0; k < kind->number_count; k++) {

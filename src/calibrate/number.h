@@ -6,6 +6,7 @@
 
 #include <jansson.h>
 
+#include "base/unit_endings.h"
 #include "calibrate/plan.h"
 
 /** Relative: as clod locus tells consolidation stresses apart. */
@@ -37,7 +38,8 @@ typedef struct clod_number {
 #define CLOD_NUMBERS_SHEAR_COUNT 11
 #define CLOD_NUMBERS_UNIAXIAL_COUNT 3
 #define CLOD_NUMBERS_WALL_COUNT 4
-#define CLOD_NUMBERS_PATH_COUNT 16
+#define CLOD_NUMBERS_PATH_ONE(ending, si, shown, factor) +1
+#define CLOD_NUMBERS_PATH_COUNT (1 CLOD_UNIT_ENDINGS(CLOD_NUMBERS_PATH_ONE))
 extern const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT];
 extern const clod_number CLOD_NUMBERS_UNIAXIAL[CLOD_NUMBERS_UNIAXIAL_COUNT];
 extern const clod_number CLOD_NUMBERS_WALL[CLOD_NUMBERS_WALL_COUNT];
@@ -47,34 +49,33 @@ extern const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT];
 /** Whether it is one of a path: a value without a unit has that of the name. */
 bool clod_number_is_path(const clod_number *self);
 
-/** The kind of a number of such a test; NULL: there is none. Of a free run every path of its summary is
- *  one that begins with a name that the summary of such a case has. */
-const clod_number *clod_number_find(const clod_case *from, const char *key);
+/** The kind of a number of a test; NULL: there is none. Of a free run every path of its summary is one. */
+const clod_number *clod_number_find(const clod_plan_test *of, const char *key);
 
 /** The same of a path (number_path.c). */
-const clod_number *clod_number_path_find(const clod_case *from, const char *path);
+const clod_number *clod_number_path_find(const clod_free_paths *of, const char *path);
 
 /** "; did you mean phi_e?" or "; it has phi_lin, ...": after an unknown number. */
-const char *clod_number_hint(const clod_case *from, const char *key, char *buffer, size_t size);
+const char *clod_number_hint(const clod_plan_test *of, const char *key, char *buffer,
+                             size_t size);
 
 /**
  * The numbers of all targets of a test in the results folder of a finished run.
  *
  * @param values  [out] [targets] SI; NAN where the test does not define one; those of other tests stay
- * Errors  CLOD_USAGE: a free run's summary has no such number, with the nearest; a file that is damaged;
- *         CLOD_FAILED: disk, memory.   Threads  safe.   Test  tests/calibrate/test_calibrate.py
+ * Errors  CLOD_USAGE: a file that is damaged; CLOD_FAILED: disk, memory.   Threads  safe.   Test  tests/calibrate/test_calibrate.py
  */
 bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, double *values,
                       clod_status *status);
 
 /** The same of a path (number_path.c): the names that the summary has. */
-const char *clod_number_path_hint(const clod_case *from, const char *path, char *buffer,
+const char *clod_number_path_hint(const clod_free_paths *of, const char *path, char *buffer,
                                   size_t size);
 
-/** A number of a path, SI; NAN where the run defines none. Errors  see clod_number_read (number_path.c). */
-bool clod_number_path_read(const json_t *summary, const clod_number *self,
-                           const clod_plan_target *target, const char *folder, double *value,
-                           clod_status *status);
+/** A number of a path, SI; NAN where the run defines none, as the residence time of grains that never
+ *  leave (number_path.c). */
+double clod_number_path_read(const json_t *summary, const clod_number *self,
+                             const clod_plan_target *target);
 
 /** The same of a shear test, from its points (number_shear.c). */
 bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *folder,

@@ -10,34 +10,15 @@
 
 #include "calibrate/number.h"
 #include "config/suggest.h"
-#include "sim/free_summary.h"
 
-#define MOST_NAMES 64 ///< that are told in a message
+#define MOST_NAMES 256 ///< that a message tells, as many as find room in it
 
-#define ROW(suffix, si, shown, factor)                                                         \
-    {                                                                                          \
-        suffix, si, {shown, factor, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, NULL, NULL \
-    }
+#define ROW(ending, si, shown, factor)                                                         \
+    {ending, si, {shown, factor, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, NULL, NULL},
 
-// By the end of the name, the longer before those that it ends with; the last fits any.
-const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT] = {
-    ROW("_deg", "rad", "deg", 1.0 / CLOD_NUMBER_DEGREE),
-    ROW("_rad", "rad", "rad", 1.0),
-    ROW("_kg_per_m3", "kg/m3", "kg/m3", 1.0),
-    ROW("_kg_m3", "kg/m3", "kg/m3", 1.0),
-    ROW("_kg_per_s", "kg/s", "kg/s", 1.0),
-    ROW("_kg_s", "kg/s", "kg/s", 1.0),
-    ROW("_m_per_s", "m/s", "m/s", 1.0),
-    ROW("_per_s", "1", "", 1.0),
-    ROW("_per_m", "1", "", 1.0),
-    ROW("_N_m", "1", "", 1.0),
-    ROW("_Pa", "Pa", "Pa", 1.0),
-    ROW("_kg", "kg", "kg", 1.0),
-    ROW("_N", "N", "N", 1.0),
-    ROW("_m", "m", "m", 1.0),
-    ROW("_s", "s", "s", 1.0),
-    ROW("", "1", "", 1.0),
-};
+// By the end of the name; the last fits any.
+const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT] = {CLOD_UNIT_ENDINGS(ROW)
+                                                                    ROW("", "1", "", 1.0)};
 
 bool clod_number_is_path(const clod_number *self)
 {
@@ -63,19 +44,15 @@ static const clod_number *row_of(const char *name, size_t length)
     }
 }
 
-/** Of the last name that has a unit: power_W.mean, force_N.2. The second is one of the case's own. */
-static const clod_number *unit_of(const char *path)
+/** Of the last of clod's names that has a unit: power_W.mean, force_N.2. */
+static const clod_number *unit_of(const clod_free_path *path)
 {
     const clod_number *found = &CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT - 1];
-    int place = 0;
-    for (const char *step = path; *step != '\0'; place++) {
+    for (const char *step = path->words; *step != '\0';) {
         const size_t length = strcspn(step, ".");
-        const bool last = step[length] == '\0';
         const clod_number *row = row_of(step, length);
-        if (row->key[0] != '\0' && (place != 1 || last)) {
-            found = row;
-        }
-        step += length + (last ? 0 : 1);
+        found = row->key[0] != '\0' ? row : found;
+        step += length + (step[length] == '.' ? 1 : 0);
     }
     return found;
 }
@@ -91,10 +68,15 @@ static size_t step_of(const char **at)
 /** Whether a step of a path is one that a pattern allows. */
 static bool step_fits(const char *step, size_t length, const char *pattern, size_t size)
 {
-    if (size == 1 && pattern[0] == '*') {
-        return length > 0 && strspn(step, "0123456789") >= length;
+    if (pattern[0] != '[') {
+        return length == size && strncmp(step, pattern, size) == 0;
     }
-    return length == size && strncmp(step, pattern, size) == 0;
+    char *end;
+    const unsigned long first = strtoul(pattern + 1, &end, 10);
+    const unsigned long last = strtoul(end + 1, NULL, 10);
+    const unsigned long place = strtoul(step, NULL, 10); // its largest where it is too long
+    return length > 0 && strspn(step, "0123456789") >= length && place >= first &&
+           place <= last;
 }
 
 /**
@@ -110,9 +92,6 @@ static bool follow(const char *path, const char *pattern, size_t *steps, const c
     for (*steps = 0; *path != '\0' && *pattern != '\0'; (*steps)++) {
         const char *step = path;
         *next = pattern;
-        if (strcmp(pattern, "**") == 0) {
-            return true;
-        }
         const size_t length = step_of(&path);
         const size_t size = step_of(&pattern);
         if (!step_fits(step, length, *next, size)) {
@@ -123,45 +102,59 @@ static bool follow(const char *path, const char *pattern, size_t *steps, const c
     return *path == '\0' && *pattern == '\0';
 }
 
-/** The most steps of a path that any pattern of the case's summary has; `whole`: all of them. */
-static size_t furthest(const clod_case *from, const char *path, bool *whole)
+/** The pattern that a path fits; NULL: none. The most steps that fit any. */
+static const clod_free_path *furthest(const clod_free_paths *of, const char *path, size_t *most)
 {
-    clod_free_path pattern;
-    size_t most = 0;
-    *whole = false;
-    for (size_t k = 0; !*whole && clod_free_summary_path(from, k, &pattern); k++) {
+    *most = 0;
+    for (size_t k = 0; k < of->count; k++) {
         const char *next;
         size_t steps;
-        *whole = follow(path, pattern.text, &steps, &next);
-        most = steps > most ? steps : most;
+        if (follow(path, of->path[k].text, &steps, &next)) {
+            return &of->path[k];
+        }
+        *most = steps > *most ? steps : *most;
     }
-    return most;
+    return NULL;
 }
 
-const clod_number *clod_number_path_find(const clod_case *from, const char *path)
+const clod_number *clod_number_path_find(const clod_free_paths *of, const char *path)
 {
-    bool whole;
-    furthest(from, path, &whole);
-    return whole ? unit_of(path) : NULL;
+    size_t steps;
+    const clod_free_path *found = furthest(of, path, &steps);
+    return found != NULL ? unit_of(found) : NULL;
+}
+
+/** A name as people have it: "0 to 2" for [0-2]. */
+static void write_name(const char *pattern, char name[CLOD_PLAN_NAME])
+{
+    const int size = (int)strcspn(pattern, ".");
+    if (pattern[0] != '[') {
+        snprintf(name, CLOD_PLAN_NAME, "%.*s", size, pattern);
+        return;
+    }
+    char *end;
+    const unsigned long first = strtoul(pattern + 1, &end, 10);
+    const unsigned long last = strtoul(end + 1, NULL, 10);
+    if (first == last) {
+        snprintf(name, CLOD_PLAN_NAME, "%lu", first);
+    } else {
+        snprintf(name, CLOD_PLAN_NAME, "%lu to %lu", first, last);
+    }
 }
 
 /** Names that may follow the first `steps` of a path, each once. */
-static size_t names_behind(const clod_case *from, const char *path, size_t steps,
+static size_t names_behind(const clod_free_paths *of, const char *path, size_t steps,
                            char names[MOST_NAMES][CLOD_PLAN_NAME])
 {
-    clod_free_path pattern;
     size_t count = 0;
-    for (size_t k = 0; count < MOST_NAMES && clod_free_summary_path(from, k, &pattern); k++) {
+    for (size_t k = 0; k < of->count && count < MOST_NAMES; k++) {
         const char *next;
         size_t fit;
-        follow(path, pattern.text, &fit, &next);
+        follow(path, of->path[k].text, &fit, &next);
         if (fit != steps || *next == '\0') {
             continue;
         }
-        snprintf(names[count], CLOD_PLAN_NAME, "%.*s", (int)strcspn(next, "."), next);
-        if (names[count][0] == '*') {
-            snprintf(names[count], CLOD_PLAN_NAME, "a number from 0 on");
-        }
+        write_name(next, names[count]);
         bool new = true;
         for (size_t n = 0; n < count; n++) {
             new = new &&strcmp(names[n], names[count]) != 0;
@@ -171,18 +164,18 @@ static size_t names_behind(const clod_case *from, const char *path, size_t steps
     return count;
 }
 
-const char *clod_number_path_hint(const clod_case *from, const char *path, char *buffer,
+const char *clod_number_path_hint(const clod_free_paths *of, const char *path, char *buffer,
                                   size_t size)
 {
     char names[MOST_NAMES][CLOD_PLAN_NAME], word[CLOD_PLAN_NAME];
-    bool whole;
-    const size_t steps = furthest(from, path, &whole);
-    const size_t count = names_behind(from, path, steps, names);
+    size_t steps;
+    furthest(of, path, &steps);
     const char *wrong = path;
     for (size_t k = 0; k < steps; k++) {
         step_of(&wrong);
     }
     snprintf(word, sizeof word, "%.*s", (int)strcspn(wrong, "."), wrong);
+    const size_t count = names_behind(of, path, steps, names);
     clod_suggest near = clod_suggest_start(word);
     for (size_t k = 0; k < count && word[0] != '\0'; k++) {
         clod_suggest_offer(&near, names[k]);
@@ -209,57 +202,43 @@ const char *clod_number_path_hint(const clod_case *from, const char *path, char 
 
 // ---- in a summary
 
-/** The item of a list or object by the first `length` bytes of a key. */
-static json_t *step_into(const json_t *from, const char *key, size_t length)
-{
-    char word[CLOD_PLAN_NAME];
-    snprintf(word, sizeof word, "%.*s", (int)length, key);
-    if (json_is_array(from)) {
-        char *end;
-        const size_t index = strtoul(word, &end, 10);
-        return *end == '\0' && end != word ? json_array_get(from, index) : NULL;
-    }
-    return json_object_get(from, word);
-}
+/** The number or null to which a path leads in a list or object; NULL: there is none. */
+static const json_t *find_in(const json_t *from, const char *path);
 
-/** Say that a summary has no such number, with the key nearest to the step that is missing. */
-static bool unknown(const clod_plan_target *target, const json_t *from, const char *step,
-                    const char *folder, clod_status *status)
+/** Below an object, whose keys may have points: part of a mesh, "chute.lip". */
+static const json_t *find_in_object(const json_t *from, const char *path)
 {
-    char word[CLOD_PLAN_NAME];
-    char hint[160];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(step, "."), step);
-    clod_suggest near = clod_suggest_start(word);
     const char *key;
     json_t *item;
+    const json_t *found = NULL;
     json_object_foreach((json_t *)from, key, item)
     {
-        clod_suggest_offer(&near, key);
+        const size_t length = strlen(key);
+        if (found == NULL && strncmp(path, key, length) == 0 &&
+            (path[length] == '.' || path[length] == '\0')) {
+            found = find_in(item, path + length + (path[length] == '.' ? 1 : 0));
+        }
     }
-    return clod_status_fail(
-        status, CLOD_USAGE,
-        "%s/summary.json has no number %s: nothing is called \"%s\" there%s", folder,
-        target->number, word, clod_suggest_text(&near, hint, sizeof hint));
+    return found;
 }
 
-bool clod_number_path_read(const json_t *summary, const clod_number *self,
-                           const clod_plan_target *target, const char *folder, double *value,
-                           clod_status *status)
+static const json_t *find_in(const json_t *from, const char *path)
 {
-    const json_t *at = summary;
-    for (const char *step = target->number; *step != '\0';) {
-        const size_t length = strcspn(step, ".");
-        const json_t *next = step_into(at, step, length);
-        if (next == NULL) {
-            return unknown(target, at, step, folder, status);
-        }
-        at = next;
-        step += length + (step[length] == '.' ? 1 : 0);
+    if (*path == '\0') {
+        return json_is_number(from) || json_is_null(from) ? from : NULL;
     }
-    if (!json_is_number(at) && !json_is_null(at)) {
-        return clod_status_fail(status, CLOD_USAGE, "%s/summary.json: %s is no number", folder,
-                                target->number);
+    if (json_is_array(from)) {
+        const size_t index = strtoul(path, NULL, 10);
+        step_of(&path);
+        return find_in(json_array_get(from, index), path);
     }
-    *value = json_is_number(at) ? json_number_value(at) / self->measure.factor : (double)NAN;
-    return true;
+    return find_in_object(from, path);
+}
+
+double clod_number_path_read(const json_t *summary, const clod_number *self,
+                             const clod_plan_target *target)
+{
+    const json_t *found = find_in(summary, target->number);
+    return json_is_number(found) ? json_number_value(found) / self->measure.factor
+                                 : (double)NAN;
 }

@@ -101,19 +101,16 @@ bool clod_number_read_summary(const clod_plan *plan, size_t test, const char *fo
                               double *values, clod_status *status)
 {
     json_t *summary = clod_json_read(folder, "summary.json", status);
-    bool good = summary != NULL;
-    for (size_t t = 0; t < plan->target_count && good; t++) {
+    for (size_t t = 0; t < plan->target_count && summary != NULL; t++) {
         const clod_plan_target *target = &plan->targets[t];
         if (target->test != test) {
             continue;
         }
-        const clod_number *kind = clod_number_find(plan->tests[test].middle, target->number);
-        if (kind->of != NULL) {
-            values[t] = kind->of(summary, kind, target);
-        } else {
-            good = clod_number_path_read(summary, kind, target, folder, &values[t], status);
-        }
+        const clod_number *kind = clod_number_find(&plan->tests[test], target->number);
+        values[t] = kind->of != NULL ? kind->of(summary, kind, target)
+                                     : clod_number_path_read(summary, kind, target);
     }
+    const bool good = summary != NULL;
     json_decref(summary);
     return good;
 }

@@ -98,6 +98,7 @@ void clod_plan_fini(clod_plan *self)
 {
     for (size_t k = 0; k < self->test_count; k++) {
         clod_case_destroy(&self->tests[k].middle);
+        clod_free_paths_fini(&self->tests[k].paths);
     }
     clod_memory_free(self->targets);
     clod_memory_free(self->path);

@@ -12,6 +12,7 @@
 #include "base/warning_list.h"
 #include "clod/case.h"
 #include "clod/status.h"
+#include "sim/free_paths.h"
 
 #define CLOD_PLAN_UNIT 32
 #define CLOD_PLAN_FIGURES (-1) ///< digits of a number that may be of any size
@@ -24,6 +25,7 @@ typedef struct clod_plan_test {
     char *name;        ///< owned
     char *path;        ///< of the case file, owned
     clod_case *middle; ///< owned; the case with all parameters in the middle of their ranges
+    clod_free_paths paths; ///< owned; numbers of its summary, of a free run
 } clod_plan_test;
 
 typedef struct clod_plan_parameter {

@@ -5,6 +5,7 @@
 
 #include "calibrate/test_kinds.h"
 #include "config/unit.h"
+#include "sim/free_summary.h"
 
 #define PATH 200
 
@@ -75,6 +76,8 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
         clod_check_fail(loader, path,
                         "the case has seeds: %lld; leave it out there, and give seeds here",
                         (long long)seeds);
+    } else if (kind->paths && !clod_free_summary_paths(test->middle, &test->paths, &status)) {
+        clod_check_fail(loader, path, "%.800s", status.text);
     }
 }
 

@@ -320,7 +320,6 @@ const clod_plan_table CLOD_PLAN_TABLE_WALL = {
 void clod_plan_tables_make(clod_plan_maker *self, size_t test)
 {
     const clod_plan_wish *wish = self->wish;
-    const clod_case *from = self->plan->tests[test].middle;
     const clod_plan_table *table = table_of(self, test);
     if (table == NULL) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
@@ -337,7 +336,8 @@ void clod_plan_tables_make(clod_plan_maker *self, size_t test)
         return;
     }
     clod_status status = {CLOD_OK, ""};
-    if (!table->make(self, test, clod_number_find(from, table->number), &status)) {
+    if (!table->make(self, test, clod_number_find(&self->plan->tests[test], table->number),
+                     &status)) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"), "%.800s",
                         status.text);
     }

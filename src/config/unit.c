@@ -18,6 +18,8 @@ static const clod_unit_kind KINDS[] = {
     {"Pa", "a pressure", "pressure", "kPa"},
     {"m", "a length", "length", "mm"},
     {"m2", "an area", "area", "cm2"},
+    {"m3", "a volume", "volume", "m3"},
+    {"m3/s", "a volume flow", "volume_flow", "m3/s"},
     {"s", "a time", "time", "ms"},
     {"m/s", "a speed", "speed", "mm/s"},
     {"m/s2", "an acceleration", "acceleration", "m/s2"},
@@ -28,16 +30,23 @@ static const clod_unit_kind KINDS[] = {
     {"rad", "an angle", "angle", "deg"},
     {"rad/s", "a speed of rotation", "rotation", "rpm"},
     {"Hz", "a frequency", "frequency", "Hz"},
+    {"1/s", "a rate", "rate", "1/s"},
     {"J/m2", "a surface energy", "surface_energy", "mJ/m2"},
+    {"J", "an energy", "energy", "mJ"},
+    {"W", "a power", "power", "W"},
+    {"N m", "a torque", "torque", "N m"},
+    {"N/m3", "a force in a volume", "force_density", "N/m3"},
+    {"m2/s2", "a speed squared", "speed_squared", "m2/s2"},
 };
 
 static const char *const COMMON[] = {
-    "Pa",   "kPa",   "MPa",   "GPa",    "bar",    "psi",   "m",     "mm",    "cm",   "um",
-    "km",   "inch",  "ft",    "s",      "ms",     "us",    "min",   "h",     "kg",   "g",
-    "mg",   "t",     "lb",    "N",      "kN",     "mN",    "lbf",   "m/s",   "mm/s", "mm/min",
-    "m/s2", "kg/m3", "g/cm3", "t/m3",   "rad",    "deg",   "rad/s", "deg/s", "rpm",  "m2",
-    "mm2",  "cm2",   "psf",   "pcf",    "N/m2",   "kN/m2", "mbar",  "hPa",   "cm/s", "km/h",
-    "ft/s", "dm",    "ns",    "minute", "degree", "J/m2",  "mJ/m2"};
+    "Pa",     "kPa",   "MPa",    "GPa",  "bar",   "psi",   "m",    "mm",  "cm",
+    "um",     "km",    "inch",   "ft",   "s",     "ms",    "us",   "min", "h",
+    "kg",     "g",     "mg",     "t",    "lb",    "N",     "kN",   "mN",  "lbf",
+    "m/s",    "mm/s",  "mm/min", "m/s2", "kg/m3", "g/cm3", "t/m3", "rad", "deg",
+    "rad/s",  "deg/s", "rpm",    "m2",   "mm2",   "cm2",   "psf",  "pcf", "N/m2",
+    "kN/m2",  "mbar",  "hPa",    "cm/s", "km/h",  "ft/s",  "dm",   "ns",  "minute",
+    "degree", "J/m2",  "mJ/m2",  "J",    "mJ",    "W",     "kW"};
 
 /** Words that make a unit one of rotation; without them Hz would pass for rad/s. */
 static const char *const ANGLES[] = {"rad",  "mrad",  "radian", "radians",

@@ -17,7 +17,7 @@ typedef struct clod_unit_kind {
     const char *example; ///< unit that goes well with it: "kPa"
 } clod_unit_kind;
 
-/** The kind of an SI unit of the parameter tables. */
+/** The kind of an SI unit of the parameter tables and of names in files (base/unit_endings.h). */
 const clod_unit_kind *clod_unit_describe(const char *unit);
 
 /**

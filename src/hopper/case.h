@@ -15,12 +15,18 @@ typedef struct clod_hopper_test {
     char *points; ///< path, resolved against the case
 } clod_hopper_test;
 
+/** How a flow function goes through its points, in the order of the key's choices. */
+typedef enum clod_hopper_strength_curve {
+    CLOD_HOPPER_STRENGTH_LINE,  ///< least squares
+    CLOD_HOPPER_STRENGTH_POINTS ///< straight from point to point
+} clod_hopper_strength_curve;
+
 /** Flow function: from a table, or from shear tests. */
 typedef struct clod_hopper_strength {
     char *file;              ///< path, resolved against the case; NULL: from tests
     clod_hopper_test *tests; ///< [test_count] owned
     size_t test_count;
-    int curve; ///< 0: line, 1: points
+    int curve; ///< clod_hopper_strength_curve
 } clod_hopper_strength;
 
 /** A property: a table over stress, or one value with its standard error. */

@@ -39,7 +39,8 @@ static const clod_param TEST[] = {
 static const clod_table TEST_TABLE = {
     .title = "A shear test.", CLOD_ROWS(TEST), .size = sizeof(clod_hopper_test)};
 
-static const char *const CURVES[] = {"line", "points", NULL};
+static const char *const CURVES[] = {
+    [CLOD_HOPPER_STRENGTH_LINE] = "line", [CLOD_HOPPER_STRENGTH_POINTS] = "points", NULL};
 
 static const clod_param STRENGTH[] = {
     FILE_ROW(clod_hopper_strength, file,

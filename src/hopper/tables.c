@@ -426,7 +426,9 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
         !read_wall(&from->wall, &solid->wall, notes, status)) {
         return false;
     }
-    solid->strength.way = from->strength.curve == 0 ? CLOD_CURVE_LINE : CLOD_CURVE_EXTENDED;
+    solid->strength.way = from->strength.curve == CLOD_HOPPER_STRENGTH_LINE
+                              ? CLOD_CURVE_LINE
+                              : CLOD_CURVE_EXTENDED;
     solid->wall.way = CLOD_CURVE_EXTENDED;
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_sort(&solid->curves[k]);

@@ -95,6 +95,9 @@ void clod_figure_add(clod_figure *self, const char *name, clod_figure_style styl
         curve->round = number / CLOD_FIGURE_COLOURS % CLOD_FIGURE_ROUNDS;
     }
     snprintf(curve->name, sizeof curve->name, "%s", name);
+    if (number >= CLOD_FIGURE_COLOURS * CLOD_FIGURE_ROUNDS && self->again[0] == '\0') {
+        snprintf(self->again, sizeof self->again, "%s", name);
+    }
     const bool thin = count > CLOD_FIGURE_MOST;
     curve->count = thin ? choose_points(count, y, kept) : count;
     curve->x = pick(x, thin ? kept : NULL, curve->count, &self->lost);
@@ -116,6 +119,25 @@ void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style s
         y[k] = k == 0 || k == ARC - 1 ? 0.0 : radius * sin(angle);
     }
     clod_figure_add(self, name, style, number, ARC, x, y, NULL);
+}
+
+const char *clod_figure_dashes(const clod_figure_curve *curve)
+{
+    static const char *const DASHES[CLOD_FIGURE_STYLES][CLOD_FIGURE_ROUNDS] = {
+        [CLOD_FIGURE_LINE] = {"", "7 3 2 3", "14 4", "14 3 2 3"},
+        [CLOD_FIGURE_DASHED] = {"7 4", "7 3 2 3 2 3", "4 2", "14 3 6 3"},
+        [CLOD_FIGURE_DOTTED] = {"2 4", "2 3 2 8", "2 8", "2 3 2 3 2 8"},
+        [CLOD_FIGURE_DASH_DOT] = {"7 3 2 3", "7 3 2 3", "7 3 2 3", "7 3 2 3"}};
+    const char *found = DASHES[curve->style][curve->round];
+    return found != NULL ? found : "";
+}
+
+bool clod_figure_alike(const clod_figure *self, char text[256])
+{
+    if (self->again[0] != '\0') {
+        snprintf(text, 256, "From %.50s on, curves look like earlier ones.", self->again);
+    }
+    return self->again[0] != '\0';
 }
 
 size_t clod_figure_begin(const double *x, size_t rows)

@@ -14,7 +14,7 @@ extern const char *const CLOD_FIGURE_COLOUR[CLOD_FIGURE_COLOURS];
 #define CLOD_FIGURE_GREY (-1) ///< for what is not data: class borders, circles of reference
 extern const char *const CLOD_FIGURE_GREY_COLOUR;
 
-/** Rounds of the colours: lines have other dashes, points other marks in each of them. */
+/** Rounds of the colours: lines of one style have other dashes, points other marks in each of them. */
 #define CLOD_FIGURE_ROUNDS 4
 
 #define CLOD_FIGURE_MOST 2000 ///< points of a curve
@@ -68,7 +68,8 @@ typedef struct clod_figure {
     bool log_x;                ///< the x axis is logarithmic; its numbers are above 0
     clod_figure_curve *curves; ///< [count] owned
     size_t count;
-    bool lost; ///< there was no memory for something
+    char again[96]; ///< the first curve in the legend that looks like an earlier one; "": none
+    bool lost;      ///< there was no memory for something
 } clod_figure;
 
 /** An empty figure. */
@@ -82,8 +83,8 @@ void clod_figure_axis_set(clod_figure_axis *self, const char *text, const char *
  * Add a curve of `count` points. Of more than CLOD_FIGURE_MOST only the least and the greatest y of
  * every group of neighbours are kept, and the ends.
  *
- * @param number  of the curve's colour, from 0 on: behind the last colour the next round begins; or
- *                CLOD_FIGURE_GREY
+ * @param number  of the curve's colour, from 0 on: behind the last colour the next round begins, and
+ *                behind the last round all come `again`; or CLOD_FIGURE_GREY
  * @param error  [count] standard errors of y, or NULL
  * Errors  `lost` is set.   Threads  one per figure.   Test  tests/report/test_figure.c
  */
@@ -93,6 +94,17 @@ void clod_figure_add(clod_figure *self, const char *name, clod_figure_style styl
 /** Add the upper half of a circle about (centre, 0); nothing where it is not finite. */
 void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style style,
                         int number, double centre, double radius);
+
+/**
+ * Dashes of a curve in pixels, dash and gap by turns with blanks between; "": a solid line, or marks. No two
+ * of the styles but grey ones and of their rounds are alike.
+ *
+ * Threads pure.   Test  tests/report/test_figure.c
+ */
+const char *clod_figure_dashes(const clod_figure_curve *curve);
+
+/** A sentence about curves that look like others, for legend and page; false: there are none. */
+bool clod_figure_alike(const clod_figure *self, char text[256]);
 
 /** The row before the first whose x is not 0: till then a test is filled and loaded in one place. */
 size_t clod_figure_begin(const double *x, size_t rows);

@@ -102,7 +102,8 @@ void clod_figure_json(FILE *out, const clod_figure *figure)
         fprintf(out, ",\"style\":\"%s\",\"colour\":\"%s\"", STYLES[curve->style],
                 curve->colour < 0 ? CLOD_FIGURE_GREY_COLOUR
                                   : CLOD_FIGURE_COLOUR[curve->colour]);
-        fprintf(out, ",\"round\":%d", curve->round);
+        fprintf(out, ",\"round\":%d,\"dashes\":\"%s\"", curve->round,
+                clod_figure_dashes(curve));
         put_numbers(out, "x", curve->x, curve->count);
         put_numbers(out, "y", curve->y, curve->count);
         put_numbers(out, "error", curve->error, curve->count);

@@ -117,23 +117,19 @@ static void put_marks(FILE *out, const frame *self, const clod_figure_curve *cur
     }
 }
 
-/** Dashes of a curve: those of its style, and of solid lines those of its round. */
-static const char *dashes(const clod_figure_curve *curve)
+/** The attribute of a curve's dashes. */
+static const char *dashes(const clod_figure_curve *curve, char text[64])
 {
-    static const char *const LINES[CLOD_FIGURE_ROUNDS] = {"", " stroke-dasharray=\"7 3 2 3\"",
-                                                          " stroke-dasharray=\"14 4\"",
-                                                          " stroke-dasharray=\"14 3 2 3\""};
-    static const char *const STYLES[CLOD_FIGURE_STYLES] = {
-        [CLOD_FIGURE_DASHED] = " stroke-dasharray=\"7 4\"",
-        [CLOD_FIGURE_DOTTED] = " stroke-dasharray=\"2 4\"",
-        [CLOD_FIGURE_DASH_DOT] = " stroke-dasharray=\"7 3 2 3\""};
-    return STYLES[curve->style] != NULL ? STYLES[curve->style] : LINES[curve->round];
+    const char *found = clod_figure_dashes(curve);
+    snprintf(text, 64, found[0] != '\0' ? " stroke-dasharray=\"%s\"" : "%s", found);
+    return text;
 }
 
 /** @param edge  only the light edge of arrows */
 static void put_line(FILE *out, const frame *self, const clod_figure_curve *curve,
                      const clod_figure *of, bool edge)
 {
+    char dash[64];
     fprintf(out,
             "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-linejoin=\"round\"%s "
             "d=\"",
@@ -141,7 +137,7 @@ static void put_line(FILE *out, const frame *self, const clod_figure_curve *curv
             edge                                 ? "3.6"
             : curve->style == CLOD_FIGURE_ARROWS ? "1.2"
                                                  : "1.8",
-            dashes(curve));
+            dashes(curve, dash));
     bool down = false; // the pen
     for (size_t i = 0; i < curve->count; i++) {
         const bool there = isfinite(curve->x[i]) && isfinite(curve->y[i]);
@@ -176,16 +172,24 @@ static int put_legend(FILE *out, const frame *self, const clod_figure *of)
             row++;
         }
         if (out != NULL) {
+            char dash[64];
             const double y = self->bottom + BELOW + ROW * row;
             fprintf(out, "<path d=\"M%.1f %.1fh24\" stroke=\"%s\" stroke-width=\"%s\"%s/>\n", x,
                     y, colour_of(curve->colour), is_marks(curve->style) ? "0" : "2",
-                    dashes(curve));
+                    dashes(curve, dash));
             if (is_marks(curve->style)) {
                 put_mark(out, curve, x + 12.0, y);
             }
             put_text(out, x + 30.0, y + 4.5, "", curve->name);
         }
         x += wide;
+    }
+    char alike[256];
+    if (clod_figure_alike(of, alike)) {
+        row++;
+        if (out != NULL) {
+            put_text(out, LEFT, self->bottom + BELOW + ROW * row + 4.5, "", alike);
+        }
     }
     return x > LEFT || row > 0 ? row + 1 : 0;
 }

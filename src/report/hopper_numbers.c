@@ -208,8 +208,8 @@ static void put_sources(FILE *out, const clod_hopper *design)
         clod_html_fact(out, "said in place of the case's value", design->overrides[k]);
     }
     clod_html_fact(out, "curve of the flow function",
-                   from->strength.curve == 0 ? "line through all points"
-                                             : "from point to point");
+                   from->strength.curve == CLOD_HOPPER_STRENGTH_LINE ? "line through all points"
+                                                                     : "from point to point");
     clod_html_fact(out, "H(theta)", CLOD_HOPPER_ARCH_NAMES[from->arch]);
     snprintf(text, sizeof text, "%.3g %%, %lld samples, seed %lld",
              100.0 * from->interval.level, (long long)from->interval.samples,

@@ -30,7 +30,8 @@ typedef struct clod_report_options {
  * @param options  with one run
  * @param path     [out] owned name of the page (clod_report_free)
  * Errors  CLOD_USAGE: no results folder, a damaged file, laboratory points that are none or do
- *         not belong to such a run; CLOD_FAILED: disk, memory.   Threads  one at a time.
+ *         not belong to such a run, a file in the way of a figure; CLOD_FAILED: disk, memory.
+ * Threads one at a time.
  * Test    tests/report/
  */
 bool clod_report_write(const clod_report_options *options, char **path, clod_status *status);
@@ -46,7 +47,7 @@ bool clod_report_compare(const clod_report_options *options, char **path, clod_s
  * as SVG beside it.
  *
  * @param path  of the page: NAME.html
- * Errors  CLOD_FAILED: disk, memory.   Threads  one at a time.
+ * Errors  CLOD_USAGE: a file in the way of a figure; CLOD_FAILED: disk, memory.   Threads  one at a time.
  * Test    tests/report/test_hopper_page.py
  */
 bool clod_report_hopper(const clod_hopper *design, const char *path, clod_status *status);

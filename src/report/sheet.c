@@ -49,7 +49,7 @@ static void take_svg(clod_sheet *self, const clod_figure *figure)
 {
     clod_text text;
     FILE *out = clod_text_open(&text);
-    struct clod_sheet_file *grown =
+    clod_figure_file *grown =
         clod_memory_grow(self->files, self->file_count, self->file_count + 1, sizeof *grown);
     self->files = grown != NULL ? grown : self->files;
     if (out != NULL) {
@@ -62,7 +62,7 @@ static void take_svg(clod_sheet *self, const clod_figure *figure)
         return;
     }
     fputs(svg, self->body);
-    struct clod_sheet_file *file = &self->files[self->file_count++];
+    clod_figure_file *file = &self->files[self->file_count++];
     snprintf(file->name, sizeof file->name, "%s", figure->name);
     file->svg = svg;
 }
@@ -81,6 +81,12 @@ void clod_sheet_figure(clod_sheet *self, clod_figure *figure)
         if (figure->note[0] != '\0') {
             fputs("<figcaption>", self->body);
             clod_html_text(self->body, figure->note);
+            fputs("</figcaption>", self->body);
+        }
+        char alike[256];
+        if (clod_figure_alike(figure, alike)) {
+            fputs("<figcaption>", self->body);
+            clod_html_text(self->body, alike);
             fputs("</figcaption>", self->body);
         }
         fputs("</figure>\n", self->body);
@@ -136,13 +142,6 @@ static char *make_file(clod_sheet *self, const char *title)
     return out != NULL ? clod_text_close(&text) : NULL;
 }
 
-/** Length of a path without its ending. */
-static int stem_length(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot != NULL && strchr(dot, '/') == NULL ? (int)(dot - path) : (int)strlen(path);
-}
-
 bool clod_sheet_write(clod_sheet *self, const char *title, const char *path,
                       clod_status *status)
 {
@@ -150,15 +149,10 @@ bool clod_sheet_write(clod_sheet *self, const char *title, const char *path,
     if (file == NULL) {
         return fail_memory(status);
     }
-    bool good = clod_file_replace(path, NULL, 0, file, strlen(file), status);
+    const bool good = clod_figure_files_check(path, self->files, self->file_count, status) &&
+                      clod_file_replace(path, NULL, 0, file, strlen(file), status) &&
+                      clod_figure_files_write(path, self->files, self->file_count, status);
     clod_memory_free(file);
-    for (size_t k = 0; good && k < self->file_count; k++) {
-        char name[4096];
-        snprintf(name, sizeof name, "%.*s-%s.svg", stem_length(path), path,
-                 self->files[k].name);
-        good = clod_file_replace(name, NULL, 0, self->files[k].svg, strlen(self->files[k].svg),
-                                 status);
-    }
     return good;
 }
 

@@ -10,16 +10,14 @@
 #include "base/text.h"
 #include "clod/status.h"
 #include "report/figure.h"
+#include "report/figure_files.h"
 
 typedef struct clod_sheet {
     FILE *body;    ///< HTML
     FILE *figures; ///< JSON: the figures, with commas between
     FILE *views;   ///< JSON: the 3-D views, with commas between
     clod_text body_text, figures_text, views_text;
-    struct clod_sheet_file {
-        char name[128];
-        char *svg; ///< owned
-    } * files;     ///< [file_count] owned
+    clod_figure_file *files; ///< [file_count] owned
     size_t file_count, view_count;
     bool lost; ///< there was no memory for something
 } clod_sheet;
@@ -40,8 +38,9 @@ void clod_sheet_columns(clod_sheet *self, bool begin);
 FILE *clod_sheet_view(clod_sheet *self);
 
 /**
- * Write the page to `path`, and each figure beside it: PATH without .html, -NAME.svg.
- * Errors  CLOD_FAILED: disk, memory.
+ * Write the page to `path`, and each figure beside it: PATH without .html, -NAME.svg. Figures that an
+ * earlier page of this name had, and this one has not, are removed.
+ * Errors  CLOD_USAGE: a file that is not clod's has the name of a figure; CLOD_FAILED: disk, memory.
  */
 bool clod_sheet_write(clod_sheet *self, const char *title, const char *path,
                       clod_status *status);

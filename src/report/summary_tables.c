@@ -4,34 +4,18 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/unit_endings.h"
 #include "report/figure_json.h"
 #include "report/html.h"
 
 #define MOST 64 ///< objects, and rows, of a table
 
-/** Endings of keys and the units that they mean, the longest first. */
+#define ROW(ending, si, shown, factor) {ending, shown},
+
+/** Endings of keys and the units that they mean. */
 static const struct {
     const char *ending, *unit;
-} UNITS[] = {{"_m2_per_s2", "m2/s2"},
-             {"_kg_per_m3", "kg/m3"},
-             {"_N_per_m3", "N/m3"},
-             {"_m3_per_s", "m3/s"},
-             {"_kg_per_s", "kg/s"},
-             {"_m_per_s", "m/s"},
-             {"_kg_m3", "kg/m3"},
-             {"_kg_s", "kg/s"},
-             {"_per_s", "1/s"},
-             {"_deg", "deg"},
-             {"_rad", "rad"},
-             {"_m2", "m2"},
-             {"_kg", "kg"},
-             {"_Pa", "Pa"},
-             {"_Nm", "N m"},
-             {"_N", "N"},
-             {"_J", "J"},
-             {"_W", "W"},
-             {"_s", "s"},
-             {"_m", "m"}};
+} UNITS[] = {CLOD_UNIT_ENDINGS(ROW)};
 
 /** Blanks for underscores. */
 static void put_blanks(char *name)

@@ -297,6 +297,35 @@ static json_t *entry(const clod_balance *self, const clod_case *from, int64_t gr
                      clod_json_number(told[1]));
 }
 
+/** Of entry. */
+#define ENTRY_PATHS "grains mass_kg flow_kg_per_s.mean flow_kg_per_s.deviation"
+
+/** Whether a run of a case may tell this way: only programs remove grains. */
+static bool may_be_way(const clod_case *from, int way)
+{
+    return way < CLOD_FACES ? from->open == CLOD_OPEN_DELETE && !from->periodic[way / 2]
+                            : (size_t)(way - CLOD_FACES) < from->outlet_count;
+}
+
+static void balance_paths(const clod_case *from, const clod_state *state,
+                          clod_free_paths *paths)
+{
+    (void)state;
+    clod_free_paths_add(paths, NULL, "since_s until_s");
+    clod_free_paths_add(paths, "start", "grains mass_kg");
+    clod_free_paths_add(paths, "in", ENTRY_PATHS);
+    for (int e = 0; e < CLOD_EXITS; e++) {
+        char key[64], before[72];
+        if (may_be_way(from, e)) {
+            snprintf(before, sizeof before, "out.%s", clod_exits_key(from, e, key, sizeof key));
+            clod_free_paths_add(paths, before, ENTRY_PATHS);
+        }
+    }
+    clod_free_paths_add(paths, "spillage", ENTRY_PATHS);
+    clod_free_paths_add(paths, "inside", ENTRY_PATHS);
+    clod_free_paths_add(paths, "lost", "grains mass_kg");
+}
+
 static json_t *balance_json(const void *memory, const clod_free_moment *now)
 {
     const clod_balance *self = memory;
@@ -338,4 +367,5 @@ const clod_free_measure CLOD_MEASURE_BALANCE = {.key = "balance",
                                                 .row = balance_row,
                                                 .report = balance_report,
                                                 .told = is_open,
+                                                .paths = balance_paths,
                                                 .json = balance_json};

@@ -272,16 +272,14 @@ static bool belts_told(const clod_case *from)
     return count_of(from) > 0;
 }
 
-static bool belts_path(const clod_case *from, size_t k, clod_free_path *path)
+static void belts_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
 {
+    (void)state;
     for (size_t b = 0; b < count_of(from); b++) {
-        if (clod_free_paths_pick(
-                "speed_m_per_s power_W.mean power_W.deviation pull_N.mean pull_N.deviation",
-                from->walls[wall_of(from, b)].name, &k, path)) {
-            return true;
-        }
+        clod_free_paths_add(
+            paths, from->walls[wall_of(from, b)].name,
+            "speed_m_per_s power_W.mean power_W.deviation pull_N.mean pull_N.deviation");
     }
-    return false;
 }
 
 static json_t *belts_json(const void *memory, const clod_free_moment *now)
@@ -305,7 +303,7 @@ static json_t *belts_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_BELT_LOADS = {.key = "belts",
-                                                   .path = belts_path,
+                                                   .paths = belts_paths,
                                                    .size = belts_size,
                                                    .begin = belts_begin,
                                                    .act = belts_act,

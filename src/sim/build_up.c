@@ -359,6 +359,21 @@ static bool build_up_told(const clod_case *from)
     return from->build_up.present;
 }
 
+static void add_paths(void *context, size_t number, const target *of, const clod_state *state)
+{
+    (void)number;
+    char name[NAME];
+    name_target(of, state, name, sizeof name);
+    clod_free_paths_add(context, name,
+                        "since_s mass_kg mean_kg rate_kg_s largest_kg largest_at_s");
+}
+
+static void build_up_paths(const clod_case *from, const clod_state *state,
+                           clod_free_paths *paths)
+{
+    visit_targets(from, state, add_paths, paths);
+}
+
 static json_t *build_up_json(const void *memory, const clod_free_moment *now)
 {
     json_t *all = json_object();
@@ -377,4 +392,5 @@ const clod_free_measure CLOD_MEASURE_BUILD_UP = {.key = "build_up",
                                                  .row = build_up_row,
                                                  .report = build_up_report,
                                                  .told = build_up_told,
+                                                 .paths = build_up_paths,
                                                  .json = build_up_json};

@@ -134,4 +134,5 @@ const clod_free_measure CLOD_MEASURE_CLUMPS = {.key = "clumps",
                                                .report = clod_clumps_report_lines,
                                                .told = clumps_told,
                                                .json = clod_clumps_report_json,
+                                               .paths = clod_clumps_report_paths,
                                                .write = clod_clumps_report_files};

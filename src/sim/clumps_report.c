@@ -231,6 +231,38 @@ json_t *clod_clumps_report_json(const void *memory, const clod_free_moment *now)
     return all;
 }
 
+/** Of a count. */
+static void count_paths(clod_free_paths *paths, const char *before)
+{
+    const int last = CLOD_CLUMP_CLASSES - 1;
+    clod_free_paths_add(paths, before,
+                        "mean.number mean.grains mean.mass_kg mean.mass_share mean.mean_size "
+                        "end.number end.grains end.mass_kg end.mass_share end.mean_size "
+                        "end.mass_mean_size end.largest end.largest_mass_kg end.d10_m "
+                        "end.d50_m end.d90_m largest largest_mass_kg sizes.[0-%d].from "
+                        "sizes.[0-%d].to sizes.[0-%d].number sizes.[0-%d].mass_kg",
+                        last, last, last, last);
+}
+
+void clod_clumps_report_paths(const clod_case *from, const clod_state *state,
+                              clod_free_paths *paths)
+{
+    (void)state;
+    const int last = CLOD_CLUMP_CLASSES - 1;
+    count_paths(paths, NULL);
+    clod_free_paths_add(paths, NULL,
+                        "since_s time_in_clumps.grains time_in_clumps.mean_s "
+                        "time_in_clumps.p10_s time_in_clumps.p50_s time_in_clumps.p90_s "
+                        "left.alone left.in_clumps left.sizes.[0-%d].from "
+                        "left.sizes.[0-%d].to left.sizes.[0-%d].grains",
+                        last, last, last);
+    for (size_t c = 1; c < counts_of(from); c++) {
+        char before[160];
+        snprintf(before, sizeof before, "counts.%s", name_of(from, c));
+        count_paths(paths, before);
+    }
+}
+
 // ---- clumps.csv
 
 static void print_sizes(FILE *out, const clod_clump_memory *self, const char *name,

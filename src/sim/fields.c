@@ -220,6 +220,6 @@ const clod_free_measure CLOD_MEASURE_FIELDS = {.key = "fields",
                                                .picture = clod_fields_picture,
                                                .report = clod_fields_report,
                                                .told = fields_told,
-                                               .path = clod_fields_path,
+                                               .paths = clod_fields_paths,
                                                .json = clod_fields_json,
                                                .write = clod_fields_write};

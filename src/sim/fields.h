@@ -41,7 +41,7 @@ int64_t clod_fields_used(const clod_continuum *field,
 void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *now);
 json_t *clod_fields_json(const void *memory, const clod_free_moment *now);
 
-bool clod_fields_path(const clod_case *from, size_t k, clod_free_path *path);
+void clod_fields_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths);
 
 /** Files of the grids: at the end, and at a snapshot (fields_files.c). */
 bool clod_fields_picture(void *memory, const clod_free_moment *now, const clod_frame *frame,

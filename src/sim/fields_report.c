@@ -121,29 +121,30 @@ void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *n
     }
 }
 
-bool clod_fields_path(const clod_case *from, size_t k, clod_free_path *path)
+void clod_fields_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
 {
+    (void)state;
     for (size_t f = 0; f < from->field_count; f++) {
         const clod_case_field *asked = &from->fields[f];
         const bool region = asked->cell == 0.0;
         for (int v = 0; region && v < CLOD_CONTINUUM_VALUES; v++) {
-            char value[CLOD_FREE_PATHS_TEXT];
-            const bool single = CLOD_CONTINUUM_VALUE[v].components == 1;
-            snprintf(value, sizeof value, "%.160s.%s", asked->name,
-                     CLOD_CONTINUUM_VALUE[v].key);
-            if (clod_free_paths_pick(single ? "mean deviation" : "mean.* deviation.*", value,
-                                     &k, path)) {
-                return true;
+            const char *key = CLOD_CONTINUUM_VALUE[v].key;
+            const int components = CLOD_CONTINUUM_VALUE[v].components;
+            if (components == 1) {
+                clod_free_paths_add(paths, asked->name, "%s.mean %s.deviation", key, key);
+            } else {
+                clod_free_paths_add(paths, asked->name, "%s.mean.[0-%d] %s.deviation.[0-%d]",
+                                    key, components - 1, key, components - 1);
             }
         }
-        if (clod_free_paths_pick(
-                region ? "since_s samples volume_m3"
-                       : "since_s samples cells.* corner_m.* used_cells cell_m width_m",
-                asked->name, &k, path)) {
-            return true;
+        clod_free_paths_add(paths, asked->name, "since_s samples");
+        if (region) {
+            clod_free_paths_add(paths, asked->name, "volume_m3");
+        } else {
+            clod_free_paths_add(paths, asked->name,
+                                "cells.[0-2] corner_m.[0-2] used_cells cell_m width_m");
         }
     }
-    return false;
 }
 
 json_t *clod_fields_json(const void *memory, const clod_free_moment *now)

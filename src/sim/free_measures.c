@@ -243,25 +243,16 @@ static bool is_told(int k, const clod_case *from)
     return MEASURES[k]->json != NULL && (MEASURES[k]->told == NULL || MEASURES[k]->told(from));
 }
 
-bool clod_free_measures_path(const clod_case *from, size_t k, clod_free_path *path)
+void clod_free_measures_paths(const clod_case *from, const clod_state *state,
+                              clod_free_paths *paths)
 {
-    for (int m = 0; m < COUNT; m++) {
-        const clod_free_measure *self = MEASURES[m];
-        clod_free_path below = {"**"};
-        for (size_t n = 0; is_told(m, from); n++) {
-            const bool there = self->path != NULL ? self->path(from, n, &below) : n == 0;
-            if (!there) {
-                break;
-            }
-            if (k-- == 0) {
-                const size_t key = strlen(self->key);
-                snprintf(path->text, sizeof path->text, "%s.%.*s", self->key,
-                         (int)(sizeof path->text - key - 2), below.text);
-                return true;
-            }
+    for (int k = 0; k < COUNT; k++) {
+        if (is_told(k, from)) {
+            paths->key = MEASURES[k]->key;
+            MEASURES[k]->paths(from, state, paths);
         }
     }
-    return false;
+    paths->key = NULL;
 }
 
 void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now)

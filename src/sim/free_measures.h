@@ -85,9 +85,9 @@ typedef struct clod_free_measure {
     bool (*told)(const clod_case *from);
     /** The same as the report for programs, where it is told: a new object or array; NULL when there is nothing yet. */
     json_t *(*json)(const void *memory, const clod_free_moment *now);
-    /** Path k of the numbers that its object may have; false: there are no more. NULL: not known
-     *  before a run. */
-    bool (*path)(const clod_case *from, size_t k, clod_free_path *path);
+    /** Paths of the numbers that its object may have, all of them, before a run: `state` has only the
+     *  walls. Of a measure with json. */
+    void (*paths)(const clod_case *from, const clod_state *state, clod_free_paths *paths);
     /** Files of its own at the end; their names stand in output/folder_names.c. */
     bool (*write)(const clod_folder *folder, const void *memory, const clod_free_moment *now,
                   clod_status *status);
@@ -148,9 +148,10 @@ void clod_free_measures_sums_end(void *memory, const clod_free_moment *now);
 
 void clod_free_measures_report(FILE *out, const void *memory, const clod_free_moment *now);
 
-/** Path k of the numbers that the objects of all measures may have in the summary of a run of this
- *  case, from its top; false: there are no more. Threads: pure. */
-bool clod_free_measures_path(const clod_case *from, size_t k, clod_free_path *path);
+/** Add the paths of the numbers that the objects of all measures may have in the summary of a run of
+ *  this case, from its top; of the state only the walls are looked at. Errors  `lost`. */
+void clod_free_measures_paths(const clod_case *from, const clod_state *state,
+                              clod_free_paths *paths);
 
 /** Put each measure's object into the summary under its key. */
 void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now);

@@ -7,21 +7,30 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define CLOD_FREE_PATHS_TEXT 256 ///< bytes of a path, its end among them
-
-/** One path: names with points between, * for any place in a list, ** at its end for anything. */
+/** One path: names with points between; [0-2] is any place of a list from 0 to 2. */
 typedef struct clod_free_path {
-    char text[CLOD_FREE_PATHS_TEXT];
+    char *text; ///< owned: "repose.heap.angle_deg"
+    const char
+        *words; ///< where the names begin that are clod's and not the case's: "angle_deg"
 } clod_free_path;
 
+/** All paths of a summary. */
+typedef struct clod_free_paths {
+    clod_free_path *path; ///< [count] owned
+    size_t count, room;
+    const char *key; ///< of the object that they are in; NULL: at the top
+    bool lost;       ///< there was no memory for one
+} clod_free_paths;
+
 /**
- * Take word number k of a list as a path below an object.
+ * Add the words of a list as paths below an object.
  *
- * @param list    words with single blanks between: "angle_deg power_W.mean"
- * @param before  name of the object; NULL: none
- * @param k       [in, out] what is left of it when the list has fewer words
- * @return        whether the list has that word
- * Errors  none.   Threads  pure.   Test  tests/calibrate/test_calibrate_paths.py
+ * @param before  names before each of them, of the case or of numbers of its lists; NULL: none
+ * @param list    words with single blanks between, as printf takes it: "angle_deg force_N.[0-2]"
+ * Errors  `lost`.   Threads  pure.   Test  tests/calibrate/test_number_path.c
  */
-bool clod_free_paths_pick(const char *list, const char *before, size_t *k,
-                          clod_free_path *path);
+__attribute__((format(printf, 3, 4))) void
+clod_free_paths_add(clod_free_paths *self, const char *before, const char *list, ...);
+
+/** The list is empty again. */
+void clod_free_paths_fini(clod_free_paths *self);

@@ -289,6 +289,6 @@ const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
                                                .sums_end = gauges_sums_end,
                                                .report = clod_gauges_report,
                                                .told = gauges_told,
-                                               .path = clod_gauges_path,
+                                               .paths = clod_gauges_paths,
                                                .json = clod_gauges_json,
                                                .write = clod_gauges_write};

@@ -246,44 +246,46 @@ static void put_landing(json_t *object, const clod_gauge *gauge, const means *se
     }
 }
 
-/** Paths of one gauge beside its values. */
-static bool other_path(const clod_case_gauge *mine, size_t *k, clod_free_path *path)
+/** Of the classes of a profile or a trajectory. */
+static void bin_paths(const clod_case_gauge *mine, const char *what, int64_t bins,
+                      clod_free_paths *paths)
 {
-    static const char BINS[] = "at_m.* lower_m.* mean_m.* upper_m.* mass_kg.* share.*";
-    char profile[CLOD_FREE_PATHS_TEXT], trajectory[CLOD_FREE_PATHS_TEXT];
-    snprintf(profile, sizeof profile, "%.200s.profile", mine->name);
-    snprintf(trajectory, sizeof trajectory, "%.200s.trajectory", mine->name);
-    return clod_free_paths_pick("since_s samples", mine->name, k, path) ||
-           (mine->belt != NULL &&
-            clod_free_paths_pick("landing.along_m_per_s landing.into_m_per_s "
-                                 "landing.along_less_belt_m_per_s",
-                                 mine->name, k, path)) ||
-           (mine->profile_bins > 0 &&
-            (clod_free_paths_pick(BINS, profile, k, path) ||
-             clod_free_paths_pick("area_m2 width_m surcharge_deg", profile, k, path))) ||
-           (mine->trajectory_bins > 0 && clod_free_paths_pick(BINS, trajectory, k, path)) ||
-           (mine->has_blocked &&
-            clod_free_paths_pick("alarms blocked_since_s blocked_at_end_since_s", mine->name, k,
-                                 path));
+    static const char *const OF_BIN[] = {"at_m",    "lower_m", "mean_m",
+                                         "upper_m", "mass_kg", "share"};
+    for (size_t k = 0; bins > 0 && k < sizeof OF_BIN / sizeof *OF_BIN; k++) {
+        clod_free_paths_add(paths, mine->name, "%s.%s.[0-%" PRId64 "]", what, OF_BIN[k],
+                            bins - 1);
+    }
 }
 
-bool clod_gauges_path(const clod_case *from, size_t k, clod_free_path *path)
+void clod_gauges_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
 {
+    (void)state;
     for (size_t g = 0; g < from->gauge_count; g++) {
         const clod_case_gauge *mine = &from->gauges[g];
+        clod_free_paths_add(paths, mine->name, "since_s samples");
         for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
-            char value[CLOD_FREE_PATHS_TEXT];
-            snprintf(value, sizeof value, "%.160s.%s", mine->name, CLOD_GAUGE_VALUE[v].key);
-            if (clod_gauges_has(from, mine, v) &&
-                clod_free_paths_pick("mean deviation", value, &k, path)) {
-                return true;
+            const char *key = CLOD_GAUGE_VALUE[v].key;
+            if (clod_gauges_has(from, mine, v)) {
+                clod_free_paths_add(paths, mine->name, "%s.mean %s.deviation", key, key);
             }
         }
-        if (other_path(mine, &k, path)) {
-            return true;
+        if (mine->belt != NULL) {
+            clod_free_paths_add(paths, mine->name,
+                                "landing.along_m_per_s landing.into_m_per_s "
+                                "landing.along_less_belt_m_per_s");
+        }
+        bin_paths(mine, "profile", mine->profile_bins, paths);
+        if (mine->profile_bins > 0) {
+            clod_free_paths_add(paths, mine->name,
+                                "profile.area_m2 profile.width_m profile.surcharge_deg");
+        }
+        bin_paths(mine, "trajectory", mine->trajectory_bins, paths);
+        if (mine->has_blocked) {
+            clod_free_paths_add(paths, mine->name,
+                                "alarms blocked_since_s blocked_at_end_since_s");
         }
     }
-    return false;
 }
 
 json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)

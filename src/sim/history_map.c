@@ -112,6 +112,15 @@ static bool map_told(const clod_case *from)
     return from->history_map.present;
 }
 
+static void map_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
+{
+    (void)from;
+    (void)state;
+    clod_free_paths_add(paths, NULL,
+                        "since_s cells used_cells samples cell_m strongest.corner_m.[0-2] "
+                        "strongest.largest_past_force_N strongest.largest_pull_off_N");
+}
+
 static json_t *map_json(const void *memory, const clod_free_moment *now)
 {
     const history_map *self = memory;
@@ -213,5 +222,6 @@ const clod_free_measure CLOD_MEASURE_HISTORY_MAP = {.key = "history_map",
                                                     .look = map_look,
                                                     .report = map_report,
                                                     .told = map_told,
+                                                    .paths = map_paths,
                                                     .json = map_json,
                                                     .write = map_files};

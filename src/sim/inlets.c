@@ -202,6 +202,20 @@ static bool inlets_told(const clod_case *from)
     return clod_setup_grains_coming(from) > 0;
 }
 
+static void inlets_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
+{
+    (void)state;
+    for (size_t k = 0; k < clod_setup_grains_coming(from); k++) {
+        char number[24];
+        const char *unit = group_of(from, k)->inlet.mass_flow > 0.0 ? "kg" : "grains";
+        snprintf(number, sizeof number, "%zu", k);
+        clod_free_paths_add(paths, number,
+                            "group grains mass_kg backlog_%s most_backlog_%s "
+                            "blocked_insertions blocked_since_s",
+                            unit, unit);
+    }
+}
+
 static json_t *inlets_json(const void *memory, const clod_free_moment *now)
 {
     const clod_inlets *self = memory;
@@ -241,4 +255,5 @@ const clod_free_measure CLOD_MEASURE_INLETS = {.key = "inlets",
                                                .row = inlets_row,
                                                .report = inlets_report,
                                                .told = inlets_told,
+                                               .paths = inlets_paths,
                                                .json = inlets_json};

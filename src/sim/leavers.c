@@ -107,16 +107,16 @@ static json_t *exit_json(const clod_exchange *gone, size_t exit)
 }
 
 /** Of exit_json. */
-static const char EXIT_PATHS[] = "grains mass_kg kinetic_energy_J";
+#define EXIT_PATHS "grains mass_kg kinetic_energy_J"
 
-static bool side_path(const clod_case *from, size_t k, clod_free_path *path)
+static void side_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
 {
+    (void)state;
     for (int f = 0; f < CLOD_FACES; f++) {
-        if (is_open(from, f) && clod_free_paths_pick(EXIT_PATHS, SIDES[f].name, &k, path)) {
-            return true;
+        if (is_open(from, f)) {
+            clod_free_paths_add(paths, SIDES[f].name, EXIT_PATHS);
         }
     }
-    return false;
 }
 
 static bool side_told(const clod_case *from)
@@ -138,7 +138,7 @@ static json_t *side_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_LEAVERS = {.key = "left",
-                                                .path = side_path,
+                                                .paths = side_paths,
                                                 .columns = side_columns,
                                                 .column = side_column,
                                                 .row = side_row,
@@ -196,18 +196,16 @@ static json_t *outlet_json(const void *memory, const clod_free_moment *now)
     return all;
 }
 
-static bool outlet_path(const clod_case *from, size_t k, clod_free_path *path)
+static void outlet_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
 {
+    (void)state;
     for (size_t e = 0; e < from->outlet_count; e++) {
-        if (clod_free_paths_pick(EXIT_PATHS, from->outlets[e].name, &k, path)) {
-            return true;
-        }
+        clod_free_paths_add(paths, from->outlets[e].name, EXIT_PATHS);
     }
-    return false;
 }
 
 const clod_free_measure CLOD_MEASURE_OUTLETS = {.key = "outlets",
-                                                .path = outlet_path,
+                                                .paths = outlet_paths,
                                                 .columns = outlet_columns,
                                                 .column = outlet_column,
                                                 .row = outlet_row,

@@ -203,16 +203,14 @@ static bool mixing_told(const clod_case *from)
     return from->mixing_count > 0;
 }
 
-static bool mixing_path(const clod_case *from, size_t k, clod_free_path *path)
+static void mixing_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
 {
+    (void)state;
     for (size_t m = 0; m < from->mixing_count; m++) {
-        if (clod_free_paths_pick("since_s lacey mean deviation variance segregated_variance "
-                                 "random_variance share grains_per_cell",
-                                 from->mixings[m].name, &k, path)) {
-            return true;
-        }
+        clod_free_paths_add(paths, from->mixings[m].name,
+                            "since_s lacey mean deviation variance segregated_variance "
+                            "random_variance share grains_per_cell");
     }
-    return false;
 }
 
 static json_t *mixing_json(const void *memory, const clod_free_moment *now)
@@ -238,7 +236,7 @@ static json_t *mixing_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_MIXING = {.key = "mixing",
-                                               .path = mixing_path,
+                                               .paths = mixing_paths,
                                                .size = mixing_size,
                                                .look = mixing_look,
                                                .columns = mixing_columns,

@@ -107,16 +107,14 @@ static bool repose_told(const clod_case *from)
     return from->repose_count > 0;
 }
 
-static bool repose_path(const clod_case *from, size_t k, clod_free_path *path)
+static void repose_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
 {
+    (void)state;
     for (size_t r = 0; r < from->repose_count; r++) {
-        if (clod_free_paths_pick(
-                "since_s angle_deg error_deg mean_deg deviation_deg height_m strips",
-                from->reposes[r].name, &k, path)) {
-            return true;
-        }
+        clod_free_paths_add(
+            paths, from->reposes[r].name,
+            "since_s angle_deg error_deg mean_deg deviation_deg height_m strips");
     }
-    return false;
 }
 
 static json_t *repose_json(const void *memory, const clod_free_moment *now)
@@ -140,7 +138,7 @@ static json_t *repose_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_REPOSE = {.key = "repose",
-                                               .path = repose_path,
+                                               .paths = repose_paths,
                                                .size = repose_size,
                                                .look = repose_look,
                                                .columns = repose_columns,

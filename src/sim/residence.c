@@ -54,6 +54,18 @@ static bool residence_told(const clod_case *from)
     return from->open == CLOD_OPEN_DELETE || from->outlet_count > 0;
 }
 
+static void residence_paths(const clod_case *from, const clod_state *state,
+                            clod_free_paths *paths)
+{
+    (void)from;
+    (void)state;
+    const int last = CLOD_TIME_CLASSES - 1;
+    clod_free_paths_add(paths, NULL,
+                        "since_s grains mean_s deviation_s least_s p10_s p50_s p90_s most_s "
+                        "classes.[0-%d].from_s classes.[0-%d].to_s classes.[0-%d].grains",
+                        last, last, last);
+}
+
 static json_t *residence_json(const void *memory, const clod_free_moment *now)
 {
     (void)memory;
@@ -118,5 +130,6 @@ static bool residence_write(const clod_folder *folder, const void *memory,
 const clod_free_measure CLOD_MEASURE_RESIDENCE = {.key = "residence",
                                                   .report = residence_report,
                                                   .told = residence_told,
+                                                  .paths = residence_paths,
                                                   .json = residence_json,
                                                   .write = residence_write};

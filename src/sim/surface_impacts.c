@@ -98,9 +98,28 @@ static json_t *class_json(const char *unit, double from, double to, clod_impact_
                      of.normal);
 }
 
+/** Of class_json. */
+#define CLASS_PATHS "number energy_J normal_energy_J"
+
 static json_t *spread_json(spread of)
 {
     return json_pack("{s:f, s:f}", "mean", of.mean, "deviation", of.deviation);
+}
+
+void clod_surface_impacts_paths(clod_free_paths *paths, const char *faces)
+{
+    char before[96];
+    snprintf(before, sizeof before, "%s.impacts", faces);
+    clod_free_paths_add(paths, before,
+                        "number energy_J normal_energy_J angle_deg.mean angle_deg.deviation "
+                        "speed_m_per_s.mean speed_m_per_s.deviation each_normal_energy_J.mean "
+                        "each_normal_energy_J.deviation");
+    snprintf(before, sizeof before, "%s.impacts.by_angle.[0-%d]", faces,
+             CLOD_IMPACT_ANGLES - 1);
+    clod_free_paths_add(paths, before, "from_deg to_deg " CLASS_PATHS);
+    snprintf(before, sizeof before, "%s.impacts.by_normal_energy.[0-%d]", faces,
+             CLOD_IMPACT_ENERGIES - 1);
+    clod_free_paths_add(paths, before, "from_J to_J " CLASS_PATHS);
 }
 
 json_t *clod_surface_impacts_json(const clod_impacts *self)

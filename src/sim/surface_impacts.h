@@ -23,6 +23,9 @@ void clod_surface_impacts_report(FILE *out, const clod_walls *walls);
 /** The same and its classes, for programs. */
 json_t *clod_surface_impacts_json(const clod_impacts *self);
 
+/** Paths of the same, of surfaces of the summary: "[0-3]". */
+void clod_surface_impacts_paths(clod_free_paths *paths, const char *faces);
+
 /** Write impacts.csv: all classes of angle and energy with impacts, if there are sums. */
 bool clod_surface_impacts_write(const clod_folder *folder, const void *memory,
                                 const clod_free_moment *now, clod_status *status);

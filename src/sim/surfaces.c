@@ -266,6 +266,44 @@ static bool surfaces_told(const clod_case *from)
     return from->output.surfaces;
 }
 
+/** Paths of surfaces one behind the other that all have an area, or all have none. */
+static void add_faces(clod_free_paths *paths, size_t first, size_t count, bool bounded)
+{
+    if (count > 0) {
+        char faces[64];
+        snprintf(faces, sizeof faces, "[%zu-%zu]", first, first + count - 1);
+        clod_free_paths_add(
+            paths, faces,
+            "since_s force_N.[0-2] press_N largest_pressure_Pa shear_power_W squeeze_power_W "
+            "impacts_per_s impact_power_W archard_m3_per_s finnie_m3_per_s "
+            "archard_depth_m_per_s finnie_depth_m_per_s impact_angle_deg%s",
+            bounded ? " area_m2" : "");
+        clod_surface_impacts_paths(paths, faces);
+    }
+}
+
+static void surfaces_paths(const clod_case *from, const clod_state *state,
+                           clod_free_paths *paths)
+{
+    size_t first = 0, count = 0; // of those alike so far
+    bool bounded = false;
+    (void)from;
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        for (int32_t f = 0; f < clod_wear_summed(wall); f++) {
+            const bool this_one = face_of(wall, f, wall->wear_since).area > 0.0;
+            if (this_one != bounded) {
+                add_faces(paths, first, count, bounded);
+                first += count;
+                count = 0;
+                bounded = this_one;
+            }
+            count++;
+        }
+    }
+    add_faces(paths, first, count, bounded);
+}
+
 static json_t *surfaces_json(const void *memory, const clod_free_moment *now)
 {
     (void)memory;
@@ -292,5 +330,6 @@ const clod_free_measure CLOD_MEASURE_SURFACES = {.key = "surfaces",
                                                  .row = surfaces_row,
                                                  .report = surfaces_report,
                                                  .told = surfaces_told,
+                                                 .paths = surfaces_paths,
                                                  .json = surfaces_json,
                                                  .write = clod_surface_impacts_write};

@@ -60,10 +60,15 @@ static void wall_report(FILE *out, const void *memory, const clod_free_moment *n
     }
 }
 
-static bool wall_path(const clod_case *from, size_t k, clod_free_path *path)
+static void wall_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths)
 {
     (void)from;
-    return clod_free_paths_pick("force_N.* torque_Nm.* shift_m.* angle_rad", "*", &k, path);
+    if (state->walls.count > 0) {
+        char all[32];
+        snprintf(all, sizeof all, "[0-%d]", (int)state->walls.count - 1);
+        clod_free_paths_add(paths, all,
+                            "force_N.[0-2] torque_Nm.[0-2] shift_m.[0-2] angle_rad");
+    }
 }
 
 static json_t *wall_json(const void *memory, const clod_free_moment *now)
@@ -83,7 +88,7 @@ static json_t *wall_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_WALL_LOADS = {.key = "walls",
-                                                   .path = wall_path,
+                                                   .paths = wall_paths,
                                                    .columns = wall_columns,
                                                    .column = wall_column,
                                                    .row = wall_row,

@@ -263,18 +263,19 @@ class Calibrate(bounce.Bounce):
                                       "check the columns and units")
         self.assertIn("in order", done.stdout)
 
-    def test_unknown_number_of_a_free_run_is_told_after_the_first_point(self):
-        """Some measures show only in a run what they tell."""
-        with open(self.path("bounce.yaml"), "a") as file:
-            file.write("clumps: {}\n")
-        plan = PLAN.replace("kinetic_energy_J", "clumps.sinse_s")
-        done = self.calibrate(plan, "-o", "out", code=2)
-        self.assertIn("p000-1-bounce/summary.json has no number clumps.sinse_s", done.stderr)
-        self.assertIn("did you mean since_s?", done.stderr)
-        self.assertFalse(os.path.exists(self.path("out/runs/p001-1-bounce")))
+    def test_number_that_no_run_has_is_told_after_the_first_point(self):
+        """No grain leaves, and so there is no residence time."""
+        with open(self.path("bounce.yaml")) as file:
+            case = file.read()
+        self.write("bounce.yaml", case.replace("200 mm]}", "200 mm], open: delete}"))
+        done = self.calibrate(PLAN.replace("error: 4e-6}", "error: 4e-6}\n  - {test: bounce, number: residence.p50_s, value: 1 s, "
+                                           "error: 1 s, held_back: true}"), "-o", "out")
+        self.assertIn("bounce: residence.p50_s is not defined in the middle of all ranges", done.stderr)
+        self.assertEqual(self.rows()[0]["bounce: residence.p50_s [s]"], "")
+        self.assertIsNone(self.found()["targets"][1]["model"])
 
     def test_folder_of_another_plan_is_refused(self):
-        self.calibrate(PLAN.replace("kinetic_energy_J", "walls.7.angle_rad"), "-o", "out", code=2)
+        self.calibrate(PLAN, "-o", "out")
         done = self.calibrate(PLAN.replace("to: 0.9", "to: 0.8"), "-o", "out", code=2)
         self.assertIn("out has runs of another plan", done.stderr)
 

@@ -66,6 +66,15 @@ static void units_of_the_field_are_exact(void **state)
     same(convert("20 rpm", "rad/s"), 20.0 * 2.0 * PI / 60.0);
     same(convert("180 deg", "rad"), PI);
     same(convert("1 h", "s"), 3600.0);
+    same(convert("2 mJ", "J"), 2e-3);
+    same(convert("3 N m", "J"), 3.0);
+    same(convert("1 kW h", "J"), 3.6e6);
+    same(convert("5 kW", "W"), 5000.0);
+    same(convert("4 kN m", "N m"), 4000.0);
+    same(convert("2 1/s", "1/s"), 2.0);
+    same(convert("60 Hz", "1/s"), 60.0);
+    same(convert("3 mm3/h", "m3/s"), 3e-9 / 3600.0);
+    same(convert("5 cm2/s2", "m2/s2"), 5e-4);
     same(convert("1 psf", "Pa"), 4.4482216152605 / (0.3048 * 0.3048));
     same(convert("100 pcf", "kg/m3"), 45.359237 / (0.3048 * 0.3048 * 0.3048));
     same(convert("1 psi", "Pa"), 4.4482216152605 / (0.0254 * 0.0254));
@@ -89,6 +98,8 @@ static void pure_numbers_take_percent_only(void **state)
     same(convert("8 %", "1"), 0.08);
     refused("0.5 N", "1", "takes a pure number or %, not the unit \"N\"");
     refused("5 %", "Pa", "5 % is not a pressure");
+    refused("5 W", "J", "5 W is not an energy; use a unit such as mJ");
+    refused("5 rad/s", "1/s", "is not a rate");
 }
 
 static void zero_needs_no_unit_but_others_do(void **state)

@@ -104,6 +104,28 @@ static void the_limit_parts_solutions_from_none(void **state)
     }
 }
 
+// Expected: the equations in steps of 1e-3 rad (Runge-Kutta of order 4), q on the axis searched on a grid
+// that closes in, psi's fall through that of the wall by a straight line: good to 0.02 deg.
+static void a_plane_field_ends_only_on_rough_walls_and_far_behind_a_cone(void **state)
+{
+    (void)state;
+    static const double ROUGH[][3] = {// phi_e, phi_w, limit
+                                      {60, 25, 53.85},
+                                      {60, 30, 46.79},
+                                      {50, 30, 50.57},
+                                      {70, 40, 29.85}};
+    for (size_t k = 0; k < sizeof ROUGH / sizeof ROUGH[0]; k++) {
+        const double found = limit(CLOD_RADIAL_WEDGE, ROUGH[k][0], ROUGH[k][1]);
+        check_close(found, ROUGH[k][2], 0.03);
+        check_at_least(found, limit(CLOD_RADIAL_CONE, ROUGH[k][0], ROUGH[k][1]) + 25.0);
+    }
+    static const double USUAL[][2] = {{30, 10}, {30, 25}, {40, 20}, {50, 20}, {60, 20}};
+    for (size_t k = 0; k < sizeof USUAL / sizeof USUAL[0]; k++) {
+        check_close(limit(CLOD_RADIAL_WEDGE, USUAL[k][0], USUAL[k][1]),
+                    CLOD_RADIAL_WIDEST / DEGREE, 1e-9); // all that is looked at
+    }
+}
+
 /** Derivatives of q and psi, solved by Cramer's rule from the equilibrium of a sphere or cylinder
  *  in its stresses: an own writing down of them. */
 static void derive(const clod_radial *of, double t, double q, double psi, double *dq,
@@ -280,6 +302,7 @@ int main(void)
         cmocka_unit_test(charts_are_met_within_their_reading),
         cmocka_unit_test(limits_lie_just_above_the_closed_form),
         cmocka_unit_test(the_limit_parts_solutions_from_none),
+        cmocka_unit_test(a_plane_field_ends_only_on_rough_walls_and_far_behind_a_cone),
         cmocka_unit_test(a_hopper_carries_its_weight),
         cmocka_unit_test(steep_hoppers_become_channels),
         cmocka_unit_test(tighter_steps_change_nothing),

@@ -60,7 +60,9 @@ def between(colours, share):
 
 def look(curve):
     """What of a curve is told apart without colour: its dash, or its mark."""
-    return curve["style"], curve["round"]
+    if curve["style"] in ("points", "hollow"):
+        return curve["style"], curve["round"]
+    return curve["dashes"]
 
 
 class Colours(clod.Case):
@@ -88,6 +90,26 @@ class Colours(clod.Case):
             told = {vision: distance(one["colour"], other["colour"], vision) for vision in VISIONS}
             if look(one) == look(other):
                 self.assertGreater(min(told.values()), LEAST, (page, figure["name"], one["name"], other["name"], told))
+
+    def test_loci_of_a_laboratory(self):
+        """Nine loci, two more than there are colours, beside a run's own: no two lines are alike, nor two marks."""
+        pages.shear(self.path("ring"))
+        with open(self.path("lab.csv"), "w") as file:
+            file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n")
+            for k in range(1, 10):
+                file.writelines(f"{10 * k},{7 * k},{part * k},{(0.7 * part + 1) * k:.6g}\n" for part in (3, 5, 7))
+        done = clod.run("report", "ring", "--lab", "lab.csv", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figure = pages.load(self.path("ring/report.html")).figures["yield-locus"]
+        lines = [curve for curve in figure["curves"] if curve["style"] == "dashed"]
+        self.assertEqual(len(lines), 9)
+        self.assertEqual(lines[0]["colour"], lines[7]["colour"])
+        self.assertEqual(len({(curve["colour"], curve["dashes"]) for curve in figure["curves"] if curve["name"] != ""}), 10)
+        self.check_figure("ring", figure)
+        with open(self.path("ring/report-yield-locus.svg")) as file:
+            drawn = file.read()
+        for curve in lines:  # the line itself, and its sample in the legend
+            self.assertEqual(drawn.count(f'stroke="{curve["colour"]}" stroke-width="2" stroke-dasharray="{curve["dashes"]}"'), 1)
 
     def test_palette(self):
         """Each colour beside each other one, grey too, and all of them on white paper."""

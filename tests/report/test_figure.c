@@ -172,6 +172,54 @@ static void a_second_round_looks_different(void **state)
     clod_figure_fini(&figure);
 }
 
+/** Lines that a page has side by side: whatever their round, with no colour at all. */
+static void dashes_of_all_rounds_differ(void **state)
+{
+    (void)state;
+    static const clod_figure_style STYLES[] = {CLOD_FIGURE_LINE, CLOD_FIGURE_DASHED,
+                                               CLOD_FIGURE_DOTTED};
+    const char *seen[3 * CLOD_FIGURE_ROUNDS];
+    size_t count = 0;
+    for (size_t s = 0; s < 3; s++) {
+        for (int round = 0; round < CLOD_FIGURE_ROUNDS; round++) {
+            const clod_figure_curve curve = {.style = STYLES[s], .round = round};
+            seen[count] = clod_figure_dashes(&curve);
+            for (size_t k = 0; k < count; k++) {
+                assert_string_not_equal(seen[k], seen[count]);
+            }
+            count++;
+        }
+    }
+    const clod_figure_curve marks = {.style = CLOD_FIGURE_HOLLOW, .round = 1};
+    assert_string_equal(clod_figure_dashes(&marks), "");
+}
+
+/** 7 colours in 4 rounds: the 29th curve looks like the first, and the legend says so. */
+static void curves_that_look_alike_are_told(void **state)
+{
+    (void)state;
+    const double x[2] = {0.0, 1.0};
+    clod_figure figure;
+    char text[256];
+    clod_figure_init(&figure, "many", "many");
+    for (int k = 0; k < 28; k++) {
+        clod_figure_add(&figure, "one of the first", CLOD_FIGURE_LINE, k, 2, x, x, NULL);
+    }
+    clod_figure_add(&figure, "grey", CLOD_FIGURE_LINE, CLOD_FIGURE_GREY, 2, x, x, NULL);
+    assert_false(clod_figure_alike(&figure, text));
+    clod_figure_add(&figure, "run <29>", CLOD_FIGURE_LINE, 28, 2, x, x, NULL);
+    clod_figure_add(&figure, "run 30", CLOD_FIGURE_LINE, 29, 2, x, x, NULL);
+    assert_true(clod_figure_alike(&figure, text));
+    assert_ptr_equal(strstr(text, "From run <29> on, "), text);
+    clod_text svg;
+    FILE *out = clod_text_open(&svg);
+    clod_figure_svg(out, &figure);
+    char *drawn = clod_text_close(&svg);
+    assert_non_null(strstr(drawn, "From run &lt;29&gt; on, curves look like earlier ones."));
+    clod_memory_free(drawn);
+    clod_figure_fini(&figure);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -181,6 +229,8 @@ int main(void)
         cmocka_unit_test(equal_scales_are_equal),
         cmocka_unit_test(a_circle_has_its_radius),
         cmocka_unit_test(a_second_round_looks_different),
+        cmocka_unit_test(dashes_of_all_rounds_differ),
+        cmocka_unit_test(curves_that_look_alike_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -183,6 +183,25 @@ class HopperPage(clod.Case):
         files = sorted(name for name in os.listdir(self.folder) if name.startswith("design-"))
         self.assertEqual(files, sorted(f"design-{name}.svg" for name in page.figures))
 
+    def test_figures_of_an_earlier_design_go_and_files_of_the_user_stay(self):
+        pages.hopper(self.folder)
+        self.design("hopper.yaml")
+        with open(self.path("design-mine.svg"), "w") as file:
+            file.write("<svg/>\n")
+        with open(self.path("hopper.yaml")) as file:  # funnel flow has no critical outlet
+            case = file.read().replace("wall_friction:\n  file: wall.csv #", "wall_friction: {angle: 60 deg, error: 1 deg} #")
+        with open(self.path("rough.yaml"), "w") as file:
+            file.write(case)
+        page, _ = self.design("rough.yaml")
+        self.assertNotIn("outlets", page.figures)
+        files = sorted(name for name in os.listdir(self.folder) if name.startswith("design-"))
+        self.assertEqual(files, sorted(["design-mine.svg", *(f"design-{name}.svg" for name in page.figures)]))
+        os.rename(self.path("design-mine.svg"), self.path("new-outlets.svg"))
+        done = clod.run("hopper", "hopper.yaml", "-o", "new", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("clod hopper: ./new-outlets.svg is in the way of a figure of new.html", done.stderr)
+        self.assertEqual([name for name in os.listdir(self.folder) if name.startswith("new")], ["new-outlets.svg"])
+
 
 if __name__ == "__main__":
     clod.unittest.main()

@@ -2,9 +2,7 @@
 
 import Plotly from "plotly.js-cartesian-dist-min";
 
-const DASH = {dashed: "dash", dotted: "dot", dashdot: "dashdot"};
-// when the colours come again, lines have other dashes and points other marks
-const LINE = ["solid", "dashdot", "longdash", "longdashdot"];
+// when the colours come again, points have other marks (and lines other dashes, which the numbers bring)
 const MARK = ["circle", "square", "diamond", "triangle-up"];
 
 /** A text that plotly shows as it is: it reads some HTML in names and titles. */
@@ -28,7 +26,7 @@ function traceOf(figure, curve) {
   if (marks) {
     trace.marker = {symbol: MARK[curve.round], color: curve.style === "hollow" ? "#ffffff" : curve.colour, size: 9, line: {color: curve.colour, width: 2}};
   } else {
-    trace.line = {color: curve.colour, width: 2, dash: DASH[curve.style] ?? LINE[curve.round]};
+    trace.line = {color: curve.colour, width: 2, dash: curve.dashes === "" ? "solid" : curve.dashes.replaceAll(/(\d+)/g, "$1px").replaceAll(" ", ",")};
   }
   if (curve.error) {
     trace.error_y = {type: "data", array: times(curve.error, figure.y.factor), color: curve.colour, thickness: 1.5};
