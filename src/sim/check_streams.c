@@ -8,6 +8,7 @@
 #include "config/region.h"
 #include "config/source.h"
 #include "setup/domain.h"
+#include "setup/flush_walls.h"
 #include "setup/region_walls.h"
 #include "setup/walls.h"
 #include "sim/check_testers.h"
@@ -139,7 +140,7 @@ static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
     }
 }
 
-/** A wall that cuts a region of grains. */
+/** What is said of walls: they cut a region of grains, or have a face in common. */
 static void tell(void *report, const char *text)
 {
     clod_check_warning(report, "%s", text);
@@ -153,4 +154,5 @@ void clod_check_streams_warn(const clod_check_subject *subject, clod_check_repor
     warn_outlets(subject, r);
     warn_walls(subject, r);
     clod_setup_regions_doubts(subject->from, &subject->state.walls, true, tell, r);
+    clod_setup_flush_doubts(subject->from, &subject->state.walls, r->radius_mean, tell, r);
 }

@@ -108,5 +108,18 @@ class CheckMesh(clod.Case):
             self.assertIn(said, done.stderr)
 
 
+    def test_two_walls_with_one_face(self):
+        """Both say it, in the same words; of one wall with both sheets, nobody."""
+        shapes = "[{mesh: {file: sheet.obj, unit: 1 m}}]"
+        for more, count in ((f"}}, lid: {{material: ore, shapes: {shapes}", 1), ("", 0)):
+            self.case(2, more=more)
+            told = [text for text in self.check()["warnings"] if "one plane" in text]
+            self.assertEqual(len(told), count)
+            for text in told:
+                self.assertIn(": walls.lid: 8 of its facets lie in one plane with facets of walls.sheet", text)
+            ran = [line for line in self.run_case().splitlines() if "one plane" in line]
+            self.assertEqual(ran, ["clod: warning: " + text for text in told])
+
+
 if __name__ == "__main__":
     clod.main()
