@@ -65,7 +65,7 @@ class Check(clod.Case):
                 self.refused(verb, case, change, f"grain 1 is outside the domain: {allowed}")
 
     def test_streams_that_cannot_be_meant(self):
-        """Too fast for the step; removed where they come in; a wall that no grain reaches."""
+        """Too fast for the step; removed where they come in; walls and regions that no grain reaches."""
         base = ("grains=[{material: ore, radius: {distribution: uniform, min: 1 mm, max: 1 mm}, velocity: [SPEED, 0 m/s, 0 m/s], "
                 "inlet: {mass_flow: 1 kg/s}, region: {box: {min: [0 mm, 0 mm, 0 mm], max: [20 mm, 20 mm, 20 mm]}}}]")
         with open(self.path("case.yaml"), "w") as file:
@@ -84,6 +84,11 @@ walls:
 outlets:
   below: {region: {box: {min: [-0.1 m, -0.1 m, -0.1 m], max: [0.1 m, 0.1 m, -0.05 m]}}}
   there: {region: {box: {min: [-0.1 m, -0.1 m, 0.01 m], max: [0.1 m, 0.1 m, 0.05 m]}}}
+  away: {region: {box: {min: [0.1001 m, -0.1 m, 0 m], max: [0.2 m, 0.1 m, 0.05 m]}}}
+  rim: {region: {box: {min: [0.0999 m, -0.1 m, -0.1 m], max: [0.2 m, 0.1 m, -0.05 m]}}}
+gauges: {lost: {region: {box: {min: [0 m, 0 m, 10 m], max: [0.1 m, 0.1 m, 11 m]}}}}
+clumps: {counts: {gone: {region: {annulus: {center: [0 m, -1 m, 0 m], outer_radius: 0.5 m, height: 0.1 m}}}}}
+history_map: {cell: 10 mm, region: {box: {min: [0 m, 0 m, -0.3 m], max: [0.1 m, 0.1 m, -0.2 m]}}}
 stages: [{name: run, duration: 0.1 s}]
 """)
         # 1 mm in a step of 1e-5 s are 100 m/s
@@ -93,9 +98,15 @@ stages: [{name: run, duration: 0.1 s}]
             told = [line.split(None, 1)[1] for line in done.stdout.splitlines() if line.startswith("WARNING")]
             self.assertEqual([text[:33] for text in told if text.startswith("grains.0.velocity")],
                              ["grains.0.velocity: 101 m/s are 1."] * fast)
-            self.assertEqual([text.split(" and ")[0] for text in told if text.startswith("outlets.")], ["outlets.there.region"])
-            self.assertEqual([text.split(" lies")[0] for text in told if ": walls." in text],
-                             ["case.yaml:10:3: walls.far: nothing of it"])
+            self.assertIn("case.yaml:14:11: outlets.there.region: overlaps grains.0.region: grains are removed where they "
+                          "come in. Move one of them\n    there: {region: ", done.stdout)
+            self.assertEqual([text.split(" lies")[0] for text in told if "nothing of it" in text],
+                             ["case.yaml:10:3: walls.far: nothing of it",
+                              "case.yaml:15:10: outlets.away.region: nothing of it",
+                              "case.yaml:17:17: gauges.lost.region: nothing of it",
+                              "case.yaml:18:26: clumps.counts.gone.region: nothing of it",
+                              "case.yaml:19:28: history_map.region: nothing of it"])
+            self.assertIn("its y is -1.5 to -0.5 m, that of the domain -0.1 to 0.1 m", done.stdout)
 
     def test_ore_case_has_no_warning_of_its_inertia(self):
         done = clod.run("check", ORE, "--threads", "1", cwd=self.folder)
