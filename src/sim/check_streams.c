@@ -9,6 +9,7 @@
 #include "config/source.h"
 #include "setup/domain.h"
 #include "setup/flush_walls.h"
+#include "setup/grains.h"
 #include "setup/region_walls.h"
 #include "setup/walls.h"
 #include "sim/check_testers.h"
@@ -88,6 +89,24 @@ static void warn_back(const clod_check_subject *subject, clod_check_report *r)
             clod_status_fail(&said, CLOD_USAGE,
                              "grains.%zu.velocity: %s. Or let it lead down, or sideways", k,
                              text);
+            warn_at(from, r, &said);
+        }
+    }
+}
+
+/** A grain comes when half of it is due; of some inlets that is never. */
+static void warn_due(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case *from = subject->from;
+    for (size_t k = 0; k < from->grains_count; k++) {
+        const double due = from->grains[k].comes ? clod_setup_grains_due(from, k) : 1.0;
+        clod_status said;
+        if (due < 0.5) {
+            clod_status_fail(&said, CLOD_USAGE,
+                             "grains.%zu.inlet: nothing comes: until it ends, or the run does, "
+                             "%.2g of the smallest grain is due, and a grain comes when half "
+                             "of it is. Give more, for a longer time, or smaller grains",
+                             k, due);
             warn_at(from, r, &said);
         }
     }
@@ -200,6 +219,7 @@ void clod_check_streams_warn(const clod_check_subject *subject, clod_check_repor
     warn_speed(subject, r);
     warn_rest(subject, r);
     warn_back(subject, r);
+    warn_due(subject, r);
     warn_outlets(subject, r);
     warn_walls(subject, r);
     if (subject->from->has_domain) {

@@ -108,6 +108,31 @@ stages: [{name: run, duration: 0.1 s}]
                               "case.yaml:19:28: history_map.region: nothing of it"])
             self.assertIn("its y is -1.5 to -0.5 m, that of the domain -0.1 to 0.1 m", done.stdout)
 
+    def test_an_inlet_of_which_nothing_comes(self):
+        """It opens when the run ends; or half of the smallest grain, 5.236 g of 10.472 g, is never due."""
+        with open(self.path("case.yaml"), "w") as file:
+            file.write("""\
+materials: {ore: {density: 2500 kg/m3}}
+contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5}}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+domain: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 1 m], open: delete}
+time: {step: 1e-5 s, design_stress: 100 Pa}
+grains:
+  - material: ore
+    radius: {distribution: uniform, min: 10 mm, max: 20 mm}
+    region: {box: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 1 m]}}
+    inlet: {mass_flow: 10.47 g/s, start: 2.5 s}
+stages: [{name: run, duration: 1 s}, {name: on, duration: 2 s}]
+""")
+        self.refused("check", self.path("case.yaml"), "grains.0.inlet.start=3 s",
+                     "grains.0.inlet.start: 3 s is not before the end of the run, 3 s")
+        for change, told in (("grains.0.inlet.mass_flow=10.47 g/s", True), ("grains.0.inlet.mass_flow=10.48 g/s", False),
+                             ("grains.0.inlet={number_flow: 10 1/s, end: 49 ms}", True),
+                             ("grains.0.inlet={number_flow: 10 1/s, end: 51 ms}", False)):
+            done = clod.run("check", "case.yaml", "--threads", "1", "--set", change, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("grains.0.inlet: nothing comes: until it ends, or the run does" in done.stdout, told, change)
+
     def test_ore_case_has_no_warning_of_its_inertia(self):
         done = clod.run("check", ORE, "--threads", "1", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
