@@ -1,5 +1,6 @@
 """clod check and clod run refuse what cannot run, with the same words."""
 
+import json
 import os
 import sys
 
@@ -107,6 +108,11 @@ stages: [{name: run, duration: 0.1 s}]
                               "case.yaml:18:26: clumps.counts.gone.region: nothing of it",
                               "case.yaml:19:28: history_map.region: nothing of it"])
             self.assertIn("its y is -1.5 to -0.5 m, that of the domain -0.1 to 0.1 m", done.stdout)
+            self.assertRegex(done.stdout, r"wall-clock +\S+ \w+ at this rate, at most \S+ \w+ in a dense fast stream\n")
+            self.assertNotIn("ten times", done.stdout)
+        done = clod.run("check", "--json", "case.yaml", "--threads", "1", "--set", base.replace("SPEED", "9 m/s"), cwd=self.folder)
+        told = json.loads(done.stdout)
+        self.assertAlmostEqual(told["wall_clock_most_s"], 10 * told["wall_clock_likely_s"], delta=1e-6 * told["wall_clock_most_s"])
 
     def test_an_inlet_of_which_nothing_comes(self):
         """It opens when the run ends; or half of the smallest grain, 5.236 g of 10.472 g, is never due."""
