@@ -56,6 +56,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         self->radius = argument;
         return 0;
     case KEY_PICTURE:
+        clod_app_picture_png(state, "--picture", argument);
         self->picture = argument;
         return 0;
     case KEY_SIZE:

@@ -218,6 +218,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         if (self->options.all && self->options.time != NULL) {
             argp_error(state, "--time picks one snapshot, --all and --movie take every one");
         }
+        if (self->output != NULL && !self->options.all) { // else a folder
+            clod_app_picture_png(state, "--output", self->output);
+        }
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

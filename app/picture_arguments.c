@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #define SMALLEST 200
 #define LARGEST 8192
@@ -46,5 +47,14 @@ void clod_app_picture_view(struct argp_state *state, const char *text, int *view
     *view = clod_app_picture_name(text, VIEWS, 4);
     if (*view < 0) {
         argp_error(state, "--view %s: oblique, front, side or top is needed", text);
+    }
+}
+
+void clod_app_picture_png(struct argp_state *state, const char *option, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *dot = strrchr(slash != NULL ? slash : path, '.');
+    if (dot != NULL && strcasecmp(dot, ".png") != 0) {
+        argp_error(state, "%s %s: pictures are PNG; let the name end in .png", option, path);
     }
 }

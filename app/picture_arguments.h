@@ -20,3 +20,6 @@ void clod_app_picture_size(struct argp_state *state, const char *text, int *widt
 
 /** The name of a clod_picture_view. */
 void clod_app_picture_view(struct argp_state *state, const char *text, int *view);
+
+/** Refuse a file whose name has an ending that is not .png, since PNG is what is written. */
+void clod_app_picture_png(struct argp_state *state, const char *option, const char *path);

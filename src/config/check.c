@@ -266,10 +266,29 @@ static void check_density(clod_loader *loader, const clod_case *self)
     }
 }
 
+/** A coefficient of wear means nothing without a hardness. */
+static void check_wear(clod_loader *loader, const clod_case *self)
+{
+    for (size_t i = 0; i < self->material_count; i++) {
+        const clod_case_material *material = &self->materials[i];
+        const bool archard = material->archard > 0.0;
+        char path[64], key[80];
+        snprintf(path, sizeof path, "materials.%s", material->name);
+        snprintf(key, sizeof key, "%s.%s", path, archard ? "archard" : "finnie");
+        if ((archard || material->finnie > 0.0) && material->hardness == 0.0 &&
+            clod_report_clean(loader->report, path)) {
+            clod_check_fail(loader, key,
+                            "needs the key hardness beside it, which worn volume is divided "
+                            "by; for instance hardness: 2 GPa");
+        }
+    }
+}
+
 void clod_check_case(clod_loader *loader, clod_case *self)
 {
     check_kind(loader, self);
     check_density(loader, self);
+    check_wear(loader, self);
     clod_check_run(loader, self);
     clod_check_tester(loader, self);
     clod_check_unused(loader, self);

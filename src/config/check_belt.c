@@ -36,6 +36,8 @@ static void check_trough(clod_loader *loader, const char *path, const clod_case_
 static void check_skirts(clod_loader *loader, const char *path, const clod_case_belt *belt)
 {
     const clod_case_belt_skirts *skirts = &belt->skirts;
+    const bool told = // where the skirts may end follows from a transition that is right
+        belt->idler_angle > 0.0 && belt->transition > belt->runs[belt->run_count - 1].length;
     double length = -belt->transition;
     for (size_t r = 0; r < belt->run_count; r++) {
         length += belt->runs[r].length;
@@ -46,7 +48,7 @@ static void check_skirts(clod_loader *loader, const char *path, const clod_case_
                  "%.6g m must be larger than from, %.6g m: skirts begin at from and end at to",
                  skirts->to, skirts->from);
         fail(loader, path, "skirts.to", text);
-    } else if (skirts->to > length * (1.0 + 1e-12)) {
+    } else if (!told && skirts->to > length * (1.0 + 1e-12)) {
         char text[128];
         snprintf(text, sizeof text,
                  "%.6g m is beyond the runs, or within the transition; at most %.6g m",
@@ -86,7 +88,10 @@ void clod_check_belt(clod_loader *loader, const char *path, const clod_case_shap
     const clod_case_belt *belt = &shape->belt;
     const double *heading = belt->heading;
     if (heading[2] != 0.0) {
-        fail(loader, path, "heading", "must be level: z is 0; runs have a rise");
+        fail(
+            loader, path, "heading",
+            "must be level, so its z must be 0: what rises are the runs (runs: [{length: 3 m, rise: 5 "
+            "deg}])");
     }
     if (belt->run_count == 0) {
         return; // told

@@ -56,10 +56,19 @@ static bool check_keys(clod_loader *self, const clod_table *table, const clod_no
                                                                        : now;
             clod_suggest_offer(&near, table->params[k].key);
         }
+        const bool beside =
+            self->around != NULL && clod_param_find(self->around, item->key) != NULL;
         const size_t length = clod_load_enter(self, item->key);
-        clod_report_add(self->report, item->key_place, self->path, "this key is not known%s%s",
-                        now != NULL ? "; it is called now " : "",
-                        now != NULL ? now : clod_suggest_text(&near, hint, sizeof hint));
+        if (now == NULL && beside && node->key != NULL) {
+            clod_report_add(self->report, item->key_place, self->path,
+                            "this key is not known here: it belongs beside %s, not in it",
+                            node->key);
+        } else {
+            clod_report_add(self->report, item->key_place, self->path,
+                            "this key is not known%s%s",
+                            now != NULL ? "; it is called now " : "",
+                            now != NULL ? now : clod_suggest_text(&near, hint, sizeof hint));
+        }
         clod_load_leave(self, length);
         good = false;
     }
@@ -212,7 +221,9 @@ static void load_rows(clod_loader *self, const clod_table *table, const clod_nod
         const size_t length = strlen(self->path);
         if (item != NULL) {
             clod_load_enter(self, param->key);
+            self->around = param->kind == CLOD_PARAM_SECTION ? table : NULL;
             load_given(self, param, item, target);
+            self->around = NULL;
         } else {
             char section[CLOD_LOAD_PATH];
             memcpy(section, self->path, sizeof section);
@@ -233,6 +244,7 @@ void clod_load_section(clod_loader *self, const clod_table *table, const clod_no
         return;
     }
     const bool known = node == NULL || empty || check_keys(self, table, node);
+    self->around = NULL; // it is not around the sections below this one
     if (table->one_of && !(known && take_kind(self, table, node, place, target))) {
         return;
     }

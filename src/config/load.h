@@ -16,9 +16,11 @@
 
 typedef struct clod_loader {
     clod_report *report;
-    clod_arena *arena;         ///< for defaults that become nodes
-    clod_node *root;           ///< of the tree
-    const char *folder;        ///< against which files are resolved
+    clod_arena *arena;  ///< for defaults that become nodes
+    clod_node *root;    ///< of the tree
+    const char *folder; ///< against which files are resolved
+    const clod_table
+        *around; ///< rows of the section around the one that is being read, or NULL
     char path[CLOD_LOAD_PATH]; ///< of what is being read, for messages
 } clod_loader;
 

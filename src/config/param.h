@@ -56,6 +56,7 @@ typedef struct clod_param {
     size_t length;              ///< vector: number of components
     const char *const *choices; ///< ended by NULL
     const char *zero_word;      ///< word that stands for 0, for instance "auto"
+    bool bare_unit;             ///< a unit alone stands for one of it: "mm"
     const struct clod_table *table; ///< section, list, map
     bool any_name;                  ///< map: names are any text, as files have them
     /** Pairs: keys that stand beside the sections, in the struct that holds the pairs. */

@@ -251,8 +251,10 @@ static const clod_param MESH[] = {
      .unit = "m",
      CLOD_ABOVE(0, 1e6),
      .example = "1 mm",
+     .bare_unit = true,
      CLOD_AT(S, unit),
-     .help = "What one unit of the file is; mesh files do not say it.",
+     .help =
+         "What one unit of the file is, mm or 25.4 mm for instance; mesh files do not say it.",
      .source = "docs/meshes.md"},
     {.key = "scale",
      .kind = CLOD_PARAM_REAL,

@@ -74,7 +74,8 @@ static json_t *real_schema(const clod_param *param)
     if (is_pure(param)) {
         return any_of(number_schema(param, "number"), pattern("^" NUMBER " *%$"));
     }
-    return any_of(pattern("^" NUMBER UNIT "$"), constant(json_integer(0)));
+    return any_of(pattern(param->bare_unit ? "^(" NUMBER ")?" UNIT "$" : "^" NUMBER UNIT "$"),
+                  constant(json_integer(0)));
 }
 
 /** A list of numbers, or a text of numbers with one unit behind them. */

@@ -82,6 +82,14 @@ static bool convert(clod_loader *self, const clod_param *param, clod_place place
     return good;
 }
 
+/** Whether a text is a unit of a row's kind. */
+static bool is_unit(const clod_param *param, const char *text)
+{
+    char message[CLOD_UNIT_MESSAGE];
+    double one = 1.0;
+    return text[0] != '\0' && clod_unit_convert(text, param->unit, &one, message);
+}
+
 static bool read_real(clod_loader *self, const clod_param *param, const clod_node *node,
                       void *target, double *value)
 {
@@ -95,6 +103,10 @@ static bool read_real(clod_loader *self, const clod_param *param, const clod_nod
     }
     double number = 0.0;
     const char *unit = clod_unit_number(node->text, &number);
+    if (unit == NULL && param->bare_unit && is_unit(param, node->text)) {
+        unit = node->text;
+        number = 1.0;
+    }
     if (unit == NULL) {
         clod_report_add(self->report, node->place, self->path,
                         "\"%s\" is not a number; write for instance %s", node->text,

@@ -47,6 +47,9 @@ typedef struct clod_surface_node {
     uint32_t first, count; ///< of `leaf` if count > 0; else children first and first + 1
 } clod_surface_node;
 
+/** Bit of a facet's rims: its connected piece has an open edge, so grains may come to both sides. */
+#define CLOD_SURFACE_SHEET 8u
+
 /** Bytes of a part's name, and of what tables call it: that, a number before it and one behind. */
 #define CLOD_SURFACE_NAME (CLOD_MESH_NAME_MOST + 1)
 #define CLOD_SURFACE_LABEL (CLOD_SURFACE_NAME + 32)
@@ -64,7 +67,7 @@ typedef struct clod_surface {
     uint32_t *piece;      ///< [facet_count] smooth piece
     uint32_t *patch;      ///< [facet_count]
     uint32_t *part;       ///< [facet_count] of the mesh
-    uint8_t *rims;        ///< [facet_count] bit e: edge e is open or sharp
+    uint8_t *rims;        ///< [facet_count] bit e: edge e is open or sharp; CLOD_SURFACE_SHEET
     clod_surface_plane *planes;
     clod_surface_patch *patches;
     clod_surface_cylinder *cylinders;

@@ -259,6 +259,23 @@ static void find_rims(clod_surface *self, const clod_mesh *mesh)
     }
 }
 
+/** Mark the facets of connected pieces that have an open edge; false without memory. */
+static bool find_sheets(clod_surface *self, const clod_mesh *mesh)
+{
+    bool *open = clod_memory_alloc(mesh->view.shell_count + 1, sizeof *open);
+    for (size_t f = 0; open != NULL && f < self->facet_count; f++) {
+        for (int e = 0; e < 3; e++) {
+            open[mesh->view.shell[f]] |= mesh->view.edges[f][e] == CLOD_MESH_EDGE_OPEN;
+        }
+    }
+    for (size_t f = 0; open != NULL && f < self->facet_count; f++) {
+        self->rims[f] |= open[mesh->view.shell[f]] ? CLOD_SURFACE_SHEET : 0;
+    }
+    const bool done = open != NULL;
+    clod_memory_free(open);
+    return done;
+}
+
 /** A patch and its box from its facets. */
 static void include(clod_surface *self, uint32_t facet)
 {
@@ -273,7 +290,7 @@ static void include(clod_surface *self, uint32_t facet)
             patch->to[a] = fmax(patch->to[a], along);
         }
     }
-    patch->rims = patch->rims || self->rims[facet] != 0;
+    patch->rims = patch->rims || (self->rims[facet] & (CLOD_SURFACE_SHEET - 1)) != 0;
 }
 
 static void find_patches(clod_surface *self, const clod_surface_links *links)
@@ -313,6 +330,9 @@ bool clod_surface_parts_find(clod_surface *self, const clod_mesh *mesh,
         if (self->piece[f] == NOBODY) {
             grow(self, links, bends_little, (uint32_t)f, pieces++, self->piece);
         }
+    }
+    if (!find_sheets(self, mesh)) {
+        return false;
     }
     find_rims(self, mesh);
     find_patches(self, links);

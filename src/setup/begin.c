@@ -58,7 +58,8 @@ bool clod_begin_expect(const clod_case *from, double share, double *grains, clod
 {
     const cell *row = &CELL[clod_case_kind_of(from)];
     if (row->amount == NULL) {
-        return clod_setup_grains_expect(from, share, grains, status);
+        return clod_setup_grains_open(from, status) &&
+               clod_setup_grains_expect(from, share, grains, status);
     }
     clod_sizes sizes;
     clod_amount amount;

@@ -17,7 +17,8 @@ bool clod_begin_has_grains(const clod_case *from, clod_status *status);
  * Grains that a case will have for one seed, without making one; those of files do not count.
  *
  * @param share  of the grains of a free run, that this machine has to hold; 0: none
- * Errors  CLOD_USAGE: more than this machine can hold.   Threads  pure.
+ * Errors  CLOD_USAGE: more than this machine can hold; an inlet that opens when the run has ended.
+ * Threads pure.
  * Test    tests/setup/test_setup_amount.c
  */
 bool clod_begin_expect(const clod_case *from, double share, double *grains,

@@ -46,6 +46,48 @@ size_t clod_setup_grains_coming(const clod_case *from)
     return count;
 }
 
+/** Time of all stages together [s]. */
+static double whole_time(const clod_case *from)
+{
+    double end = 0.0;
+    for (size_t s = 0; s < from->stage_count; s++) {
+        end += from->stages[s].duration;
+    }
+    return end;
+}
+
+bool clod_setup_grains_open(const clod_case *from, clod_status *status)
+{
+    const double end = whole_time(from);
+    for (size_t k = 0; k < from->grains_count; k++) {
+        const clod_case_grains *group = &from->grains[k];
+        if (group->comes && group->inlet.start >= end) {
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "grains.%zu.inlet.start: %.6g s is not before the end of the run, %.6g s, which "
+                "its stages last together: nothing comes. Let it start before, or make a stage "
+                "longer",
+                k, group->inlet.start, end);
+        }
+    }
+    return true;
+}
+
+double clod_setup_grains_due(const clod_case *from, size_t k)
+{
+    const clod_case_grains *group = &from->grains[k];
+    const clod_case_inlet *inlet = &group->inlet;
+    const double radius =
+        group->sieve_count > 0 ? 0.5 * group->sieve[0].size : group->radius_min;
+    const int material = clod_case_material_index(from, group->material);
+    const double mass =
+        4.0 / 3.0 * M_PI * radius * radius * radius * from->materials[material].density;
+    const double end = inlet->end > 0.0 ? fmin(whole_time(from), inlet->end) : whole_time(from);
+    const double time = fmax(0.0, end - inlet->start);
+    const double flow = inlet->mass_flow > 0.0 ? inlet->mass_flow / mass : inlet->number_flow;
+    return group->mass > 0.0 ? fmin(flow * time, group->mass / mass) : flow * time;
+}
+
 /** Number of grains that come through an inlet in all, if none has to wait. */
 static double expect_coming(const clod_case *from, const clod_case_grains *group,
                             const clod_sizes *sizes)
@@ -53,11 +95,8 @@ static double expect_coming(const clod_case *from, const clod_case_grains *group
     const clod_case_inlet *inlet = &group->inlet;
     const int material = clod_case_material_index(from, group->material);
     const double mass = clod_sizes_mean_volume(sizes) * from->materials[material].density;
-    double end = 0.0;
-    for (size_t s = 0; s < from->stage_count; s++) {
-        end += from->stages[s].duration;
-    }
-    end = inlet->end > 0.0 ? fmin(end, inlet->end) : end;
+    const double all = whole_time(from);
+    const double end = inlet->end > 0.0 ? fmin(all, inlet->end) : all;
     const double time = fmax(0.0, end - inlet->start);
     double grains =
         time * (inlet->mass_flow > 0.0 ? inlet->mass_flow / mass : inlet->number_flow);

@@ -11,6 +11,16 @@
 size_t clod_setup_grains_coming(const clod_case *from);
 
 /**
+ * Whether every inlet opens before the stages end.
+ * Errors  CLOD_USAGE, of the inlet's start.   Threads  pure.   Test  tests/cli/test_check.py
+ */
+bool clod_setup_grains_open(const clod_case *from, clod_status *status);
+
+/** Of the smallest grain of a group, how many are due through its inlet until the run ends: below 0.5 none comes.
+ *  Threads: pure. */
+double clod_setup_grains_due(const clod_case *from, size_t k);
+
+/**
  * Number of grains to expect of all groups, without making one; those of files do not count.
  *
  * @param share  of them, that this machine has to hold; 0: none

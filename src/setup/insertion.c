@@ -70,10 +70,35 @@ void clod_insertion_batch_draw(const clod_insertion_batch *self, size_t g, uint6
     }
 }
 
+/** Least size of a region, within which a sphere has to be whole [m]. */
+static double thickness(const clod_insertion_space *space)
+{
+    const clod_case_region *region = space->region;
+    double least = HUGE_VAL;
+    for (int a = 0; a < 3 && !space->face; a++) {
+        least = space->through[a] ? least : fmin(least, space->high[a] - space->low[a]);
+    }
+    if (space->face) {
+        least = 2.0 * fmin(space->half[0], space->half[1]);
+    } else if (clod_region_row(region)->upright && region->inner_radius > 0.0) {
+        least = fmin(least, region->outer_radius - region->inner_radius);
+    }
+    return least;
+}
+
 bool clod_insertion_batch_no_room(const clod_insertion_batch *batch,
                                   const clod_insertion_space *space, clod_status *status)
 {
     const clod_insertion *what = batch->what;
+    const double thick = thickness(space);
+    if (thick < 2.0 * batch->largest) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s%s: is %.4g mm thick, thinner than a grain: the largest has %.4g mm, and grains "
+            "lie whole in it. Make it thicker, as a rule several grains",
+            what->name, strncmp(what->name, "grains.", 7) == 0 ? ".region" : "", 1e3 * thick,
+            2e3 * batch->largest / (1.0 + CLOD_INSERTION_CLEARANCE));
+    }
     return clod_status_fail(
         status, CLOD_USAGE,
         "%s: only %zu of %zu grain%s fit%s into the region (%s, x %g to %g m, y %g to %g m, z "

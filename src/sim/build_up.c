@@ -362,7 +362,7 @@ static bool build_up_told(const clod_case *from)
 static void add_paths(void *context, size_t number, const target *of, const clod_state *state)
 {
     (void)number;
-    char name[NAME];
+    char name[CLOD_WEAR_NAME];
     name_target(of, state, name, sizeof name);
     clod_free_paths_add(context, name,
                         "since_s mass_kg mean_kg rate_kg_s largest_kg largest_at_s");

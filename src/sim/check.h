@@ -39,6 +39,10 @@ bool clod_check_rate(const clod_check_subject *subject, clod_check_report *repor
 bool clod_check_cost(const clod_check_subject *subject, clod_check_report *report,
                      clod_status *status);
 
+/** How many times as long as at the rate measured the steps of a case may take: more than 1 where grains come during
+ *  the run, for these may be a dense fast stream. Threads: pure. */
+double clod_check_slower(const clod_case *from);
+
 /** Add a note to the report, as long as there is room. */
 void clod_check_note(clod_check_report *report, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -77,6 +77,7 @@ static void find_time(const clod_case *from, const clod_check_ranks_machine *mac
             told->groups = groups > told->groups ? groups : told->groups;
         }
         bed->ranks = told->ranks / told->groups;
+        clock *= most != 0 ? clod_check_slower(from) : 1.0;
         clock = two_digits(clock + report->fields_clock / bed->ranks);
         *(most != 0 ? &told->clock_most : &told->clock_likely) = clock;
     }
@@ -180,6 +181,12 @@ void clod_check_ranks_write(clod_check_page *to, const clod_check_report *r)
     clod_check_line(to, "", "%.3g us a step", MICRO * told->step);
     if (clod_testers_row(r->kind)->write != NULL) {
         clod_check_line(to, "", "wall-clock likely %s, at most %s",
+                        clod_check_clock_words(told->clock_likely, a),
+                        clod_check_clock_words(told->clock_most, b));
+    } else if (told->clock_most > told->clock_likely) {
+        clod_check_line(to, "",
+                        "wall-clock of the steps %s at this rate, at most %s in a dense fast "
+                        "stream",
                         clod_check_clock_words(told->clock_likely, a),
                         clod_check_clock_words(told->clock_most, b));
     } else {

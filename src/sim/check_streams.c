@@ -1,5 +1,5 @@
-// Streams that cannot be meant: too fast for the step, at rest, removed where they come in, walls out of reach or
-// through the regions of grains.
+// Streams that cannot be meant: too fast for the step, at rest, removed where they come in; regions and walls out of
+// reach, walls through the regions of grains.
 
 #include <math.h>
 #include <stdio.h>
@@ -8,6 +8,8 @@
 #include "config/region.h"
 #include "config/source.h"
 #include "setup/domain.h"
+#include "setup/flush_walls.h"
+#include "setup/grains.h"
 #include "setup/region_walls.h"
 #include "setup/walls.h"
 #include "sim/check_testers.h"
@@ -92,6 +94,24 @@ static void warn_back(const clod_check_subject *subject, clod_check_report *r)
     }
 }
 
+/** A grain comes when half of it is due; of some inlets that is never. */
+static void warn_due(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case *from = subject->from;
+    for (size_t k = 0; k < from->grains_count; k++) {
+        const double due = from->grains[k].comes ? clod_setup_grains_due(from, k) : 1.0;
+        clod_status said;
+        if (due < 0.5) {
+            clod_status_fail(&said, CLOD_USAGE,
+                             "grains.%zu.inlet: nothing comes: until it ends, or the run does, "
+                             "%.2g of the smallest grain is due, and a grain comes when half "
+                             "of it is. Give more, for a longer time, or smaller grains",
+                             k, due);
+            warn_at(from, r, &said);
+        }
+    }
+}
+
 /** An outlet where grains come in removes them at once. */
 static void warn_outlets(const clod_check_subject *subject, clod_check_report *r)
 {
@@ -101,12 +121,61 @@ static void warn_outlets(const clod_check_subject *subject, clod_check_report *r
             const clod_case_grains *grains = &from->grains[k];
             if (grains->file == NULL &&
                 clod_region_overlap(&from->outlets[o].region, &grains->region)) {
-                clod_check_warning(r,
-                                   "outlets.%s.region and grains.%zu.region overlap: grains "
-                                   "are removed where they come in. Move one of them",
-                                   from->outlets[o].name, k);
+                clod_status said;
+                clod_status_fail(&said, CLOD_USAGE,
+                                 "outlets.%s.region: overlaps grains.%zu.region: grains are "
+                                 "removed where they come in. Move one of them",
+                                 from->outlets[o].name, k);
+                warn_at(from, r, &said);
             }
         }
+    }
+}
+
+/** A region that has none of the domain's grains; `path` is that of what has it. */
+static void warn_outside(const clod_case *from, clod_check_report *r, const char *path,
+                         const clod_case_region *region)
+{
+    double low[3], high[3];
+    clod_region_bounds(region, low, high);
+    for (int a = 0; a < 3; a++) {
+        if (low[a] > from->domain_max[a] || high[a] < from->domain_min[a]) {
+            clod_status said;
+            clod_status_fail(
+                &said, CLOD_USAGE,
+                "%s.region: nothing of it lies in the domain, so no grain is ever in it: "
+                "its %c is %.4g to %.4g m, that of the domain %.4g to %.4g m. Check its "
+                "place and domain",
+                path, "xyz"[a], low[a], high[a], from -> domain_min[a], from -> domain_max[a]);
+            warn_at(from, r, &said);
+            return;
+        }
+    }
+}
+
+/** Regions that remove or measure grains where there are none; of fields, mixing and repose that is an error. */
+static void warn_regions(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case *from = subject->from;
+    char path[80];
+    for (size_t k = 0; k < from->outlet_count; k++) {
+        snprintf(path, sizeof path, "outlets.%s", from->outlets[k].name);
+        if (from->outlets[k].has_region) {
+            warn_outside(from, r, path, &from->outlets[k].region);
+        }
+    }
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        snprintf(path, sizeof path, "gauges.%s", from->gauges[k].name);
+        warn_outside(from, r, path, &from->gauges[k].region);
+    }
+    for (size_t k = 0; k < from->clumps.count_count; k++) {
+        snprintf(path, sizeof path, "clumps.counts.%s", from->clumps.counts[k].name);
+        if (from->clumps.counts[k].has_region) {
+            warn_outside(from, r, path, &from->clumps.counts[k].region);
+        }
+    }
+    if (from->history_map.present && from->history_map.has_region) {
+        warn_outside(from, r, "history_map", &from->history_map.region);
     }
 }
 
@@ -139,7 +208,7 @@ static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
     }
 }
 
-/** A wall that cuts a region of grains. */
+/** What is said of walls: they cut a region of grains, or have a face in common. */
 static void tell(void *report, const char *text)
 {
     clod_check_warning(report, "%s", text);
@@ -150,7 +219,12 @@ void clod_check_streams_warn(const clod_check_subject *subject, clod_check_repor
     warn_speed(subject, r);
     warn_rest(subject, r);
     warn_back(subject, r);
+    warn_due(subject, r);
     warn_outlets(subject, r);
     warn_walls(subject, r);
+    if (subject->from->has_domain) {
+        warn_regions(subject, r);
+    }
     clod_setup_regions_doubts(subject->from, &subject->state.walls, true, tell, r);
+    clod_setup_flush_doubts(subject->from, &subject->state.walls, r->radius_mean, tell, r);
 }

@@ -163,6 +163,10 @@ static void write_rate(clod_check_page *to, const clod_check_report *r)
                         clod_check_clock_words(r->clock_likely, a),
                         clod_check_clock_words(r->clock_most, b), r->side_by_side,
                         clod_plural(r->side_by_side));
+    } else if (r->clock_most > r->clock_likely) {
+        clod_check_line(to, "wall-clock", "%s at this rate, at most %s in a dense fast stream",
+                        clod_check_clock_words(r->clock_likely, a),
+                        clod_check_clock_words(r->clock_most, b));
     } else {
         clod_check_line(to, "wall-clock", "%s at most, at this rate",
                         clod_check_clock_words(r->clock_most, a));

@@ -131,14 +131,12 @@ static void warn_mass(const clod_check_subject *subject, clod_check_report *r)
 static void note_sample(const clod_case *from, clod_check_report *r)
 {
     if (r->sampled > 0 && clod_setup_grains_coming(from) > 0) {
-        clod_check_note(
-            r,
-            "grains come during the run: the number is that of all that can be in "
-            "at once if none leaves, and cost and memory are as if they were in "
-            "from the start. Sizes and time step are those of %zu that stand for "
-            "them; the rate is that of a slow bed without walls: a dense fast stream "
-            "may take up to ten times the wall-clock above. No step was tried",
-            r->sampled);
+        clod_check_note(r,
+                        "grains come during the run: the number is that of all that can be in "
+                        "at once if none leaves, and cost and memory are as if they were in "
+                        "from the start. Sizes and time step are those of %zu that stand for "
+                        "them; the rate is that of a slow bed without walls. No step was tried",
+                        r->sampled);
     } else if (r->sampled > 0) {
         clod_check_note(r,
                         "%zu grains are too many to insert for an estimate: sizes and time "

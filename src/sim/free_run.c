@@ -10,6 +10,7 @@
 #include "measure/contacts.h"
 #include "output/checkpoint.h"
 #include "output/folder_files.h"
+#include "setup/flush_walls.h"
 #include "setup/grains.h"
 #include "setup/region_walls.h"
 #include "setup/state.h"
@@ -314,32 +315,37 @@ static bool make_state(clod_job *job, clod_setup_bed *bed, clod_status *status)
 /** A doubt about a mesh, or what is worth a look. */
 static void doubt(void *job, bool wrong, const char *text)
 {
-    char line[CLOD_MESH_DOUBTS_TEXT + 16];
+    char line[CLOD_SETUP_FLUSH_TEXT + 16];
     snprintf(line, sizeof line, "%s%s", wrong ? "warning: " : "", text);
     clod_job_tell(job, line);
 }
 
-/** A wall that cuts a region of grains. */
-static void doubt_region(void *job, const char *text)
+/** A wall that cuts a region of grains, or has a face in common with another one. */
+static void doubt_wall(void *job, const char *text)
 {
     doubt(job, true, text);
 }
 
-/** What is doubtful about meshes, beside the grains that there are. */
-static bool doubt_meshes(clod_job *job, const clod_setup_bed *bed, clod_status *status)
+/** What is doubtful about meshes and walls, beside the grains that there are. */
+static bool doubt_walls(clod_job *job, const clod_setup_bed *bed, clod_status *status)
 {
+    const clod_case *from = job->sim->from;
     const double radius = bed->grains > 0 ? bed->radius_sum / (double)bed->grains : 0.0;
-    return clod_mesh_doubts(job->sim->from, radius, doubt, job, status);
+    if (!clod_mesh_doubts(from, radius, doubt, job, status)) {
+        return false;
+    }
+    clod_setup_regions_doubts(from, &job->state.walls, job->sim->origin == NULL, doubt_wall,
+                              job);
+    clod_setup_flush_doubts(from, &job->state.walls, radius, doubt_wall, job);
+    return true;
 }
 
 static bool run_stages(clod_job *job, const clod_setup_bed *bed, clod_status *status)
 {
-    if (!job->resumed && !doubt_meshes(job, bed, status)) {
+    if (!job->resumed && !doubt_walls(job, bed, status)) {
         return false;
     }
     if (!job->resumed) {
-        clod_setup_regions_doubts(job->sim->from, &job->state.walls, job->sim->origin == NULL,
-                                  doubt_region, job);
         free_data *data = job->procedure.data;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
         const clod_free_start start = {.grains = (int64_t)bed->grains,

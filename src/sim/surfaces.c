@@ -25,6 +25,7 @@ typedef struct face {
     double pressure;                    ///< Pa, largest mean of an element
     double archard, finnie;             ///< m3
     double archard_depth, finnie_depth; ///< m, of the element that wears most
+    bool has_archard, has_finnie;       ///< a coefficient: else the four above mean nothing
 } face;
 
 /** A surface of a wall as it is summed up. */
@@ -52,6 +53,8 @@ static void add_element(void *context, const clod_wall *wall, clod_wear_place at
     to->area += area;
     to->archard += archard;
     to->finnie += finnie;
+    to->has_archard = to->has_archard || shape->archard > 0.0;
+    to->has_finnie = to->has_finnie || shape->finnie > 0.0;
     if (area > 0.0 && self->time > 0.0) {
         to->pressure = fmax(to->pressure, sum[CLOD_WEAR_PRESS] / (area * self->time));
         to->archard_depth = fmax(to->archard_depth, archard / area);
@@ -194,6 +197,13 @@ static void surfaces_row(void *memory, const clod_free_moment *now, double *row)
 
 // ---- report and summary
 
+/** A rate of wear [mm3/h], "-" without a coefficient. */
+static const char *rate_text(bool known, double volume, double time, char text[16])
+{
+    snprintf(text, 16, known ? "%.4g" : "-", 1e9 * 3600.0 * volume / time);
+    return text;
+}
+
 static void report_wall(FILE *out, const clod_wall *wall, double now)
 {
     const double time = now - wall->wear_since;
@@ -205,14 +215,16 @@ static void report_wall(FILE *out, const clod_wall *wall, double now)
             continue;
         }
         char angle[16] = "-"; // no impact
+        char archard[16], finnie[16];
         if (of->sum[CLOD_WEAR_ENERGY] > 0.0) {
             snprintf(angle, sizeof angle, "%.1f", angle_of(of));
         }
-        fprintf(out, "  %-22s %9.4g %9.4g %9.4g %9.4g %9.4g %6s %10.4g %10.4g\n", name,
+        fprintf(out, "  %-22s %9.4g %9.4g %9.4g %9.4g %9.4g %6s %10s %10s\n", name,
                 of->sum[CLOD_WEAR_PRESS] / time, 1e-3 * of->pressure,
                 of->sum[CLOD_WEAR_SHEAR] / time, of->sum[CLOD_WEAR_IMPACTS] / time,
-                of->sum[CLOD_WEAR_ENERGY] / time, angle, 1e9 * 3600.0 * of->archard / time,
-                1e9 * 3600.0 * of->finnie / time);
+                of->sum[CLOD_WEAR_ENERGY] / time, angle,
+                rate_text(of->has_archard, of->archard, time, archard),
+                rate_text(of->has_finnie, of->finnie, time, finnie));
     }
 }
 
@@ -241,15 +253,21 @@ static json_t *face_json(const clod_wall *wall, int32_t number, const face *of, 
     char name[CLOD_WEAR_NAME];
     clod_wear_name(wall, number, name, sizeof name);
     const double *sum = of->sum;
-    json_t *one = json_pack(
-        "{s:s, s:f, s:[fff], s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f}", "name", name,
-        "since_s", wall->wear_since, "force_N", sum[0] / time, sum[1] / time, sum[2] / time,
-        "press_N", sum[CLOD_WEAR_PRESS] / time, "largest_pressure_Pa", of->pressure,
-        "shear_power_W", sum[CLOD_WEAR_SHEAR] / time, "squeeze_power_W",
-        sum[CLOD_WEAR_SQUEEZE] / time, "impacts_per_s", sum[CLOD_WEAR_IMPACTS] / time,
-        "impact_power_W", sum[CLOD_WEAR_ENERGY] / time, "archard_m3_per_s", of->archard / time,
-        "finnie_m3_per_s", of->finnie / time, "archard_depth_m_per_s", of->archard_depth / time,
-        "finnie_depth_m_per_s", of->finnie_depth / time);
+    json_t *one =
+        json_pack("{s:s, s:f, s:[fff], s:f, s:f, s:f, s:f, s:f, s:f}", "name", name, "since_s",
+                  wall->wear_since, "force_N", sum[0] / time, sum[1] / time, sum[2] / time,
+                  "press_N", sum[CLOD_WEAR_PRESS] / time, "largest_pressure_Pa", of->pressure,
+                  "shear_power_W", sum[CLOD_WEAR_SHEAR] / time, "squeeze_power_W",
+                  sum[CLOD_WEAR_SQUEEZE] / time, "impacts_per_s", sum[CLOD_WEAR_IMPACTS] / time,
+                  "impact_power_W", sum[CLOD_WEAR_ENERGY] / time);
+    if (of->has_archard) {
+        json_object_set_new(one, "archard_m3_per_s", json_real(of->archard / time));
+        json_object_set_new(one, "archard_depth_m_per_s", json_real(of->archard_depth / time));
+    }
+    if (of->has_finnie) {
+        json_object_set_new(one, "finnie_m3_per_s", json_real(of->finnie / time));
+        json_object_set_new(one, "finnie_depth_m_per_s", json_real(of->finnie_depth / time));
+    }
     if (of->area > 0.0) {
         json_object_set_new(one, "area_m2", json_real(of->area));
     }

@@ -127,11 +127,29 @@ class Cases(clod.Case):
                             (["--spoon-to", "80"], "--spoon-to: 80 degrees; the stream has 69.6"),
                             (["--lip", "90"], "--receiving: 100 mm must be below"),
                             (["--output", "nowhere"], "there is no folder nowhere"),
-                            (["--width", "0"], "--width: 0 must be more than 0")):
+                            (["--width", "0"], "--width: 0 is out of range; allowed are 10 to 10000"),
+                            (["--speed", "nan"], "--speed: nan is out of range"),
+                            (["--width", "100"], "narrower than the stream; at least --stream-width, 120 mm"),
+                            (["--lip", "5000"], "--lip: 5000 mm; the hood ends at 810 mm"),
+                            # 220/0.3 = 733 strips, 600 + 400 rows and 12 + 14 or so of arcs: 1.5 million
+                            (["--facet", "0.3"], "--facet: 0.3 mm makes 1.51e+06 facets of the chute; at most 200000"),
+                            (["--facet", "0.01"], "at least some 0.89 mm"),
+                            (["--side-facet", "0.5"], "--side-facet: 0.5 mm makes"),
+                            # the hood ends at x = 404 mm, z = 810 mm, so it is a circle about x = 4 mm: at x = 377 mm the lower side
+                            # of its stream is at 810 + (395.4^2 - 373^2)^(1/2) = 941 mm, and the upright part begins at 596 mm
+                            (["--spoon-up", "5000"], "--spoon-up: 5000 mm; at most 345 mm")):
             done = self.geometry(words)
             self.assertEqual(done.returncode, 2)
             self.assertIn(text, done.stderr)
             self.assertEqual(os.listdir(self.folder), [])
+
+    def test_facets_of_the_chute_are_counted(self):
+        """The number that is printed is that of the file, and a finer --facet makes more of them."""
+        for words in ([], ["--facet", "5"], ["--facet", "30", "--side-facet", "40"], ["--spoon-up", "235"]):
+            done = self.geometry(words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            facets = clod.read(self.path("chute.obj")).count(b"\nf ")
+            self.assertTrue(done.stdout.endswith(f"chute.obj has {facets} facets\n"), done.stdout)
 
     def test_the_chute_is_a_template(self):
         """clod new writes the case, the dry one, and all that they include, as they are in cases/."""

@@ -1,5 +1,6 @@
 """clod check and clod run refuse what cannot run, with the same words."""
 
+import json
 import os
 import sys
 
@@ -65,7 +66,7 @@ class Check(clod.Case):
                 self.refused(verb, case, change, f"grain 1 is outside the domain: {allowed}")
 
     def test_streams_that_cannot_be_meant(self):
-        """Too fast for the step; removed where they come in; a wall that no grain reaches."""
+        """Too fast for the step; removed where they come in; walls and regions that no grain reaches."""
         base = ("grains=[{material: ore, radius: {distribution: uniform, min: 1 mm, max: 1 mm}, velocity: [SPEED, 0 m/s, 0 m/s], "
                 "inlet: {mass_flow: 1 kg/s}, region: {box: {min: [0 mm, 0 mm, 0 mm], max: [20 mm, 20 mm, 20 mm]}}}]")
         with open(self.path("case.yaml"), "w") as file:
@@ -84,6 +85,11 @@ walls:
 outlets:
   below: {region: {box: {min: [-0.1 m, -0.1 m, -0.1 m], max: [0.1 m, 0.1 m, -0.05 m]}}}
   there: {region: {box: {min: [-0.1 m, -0.1 m, 0.01 m], max: [0.1 m, 0.1 m, 0.05 m]}}}
+  away: {region: {box: {min: [0.1001 m, -0.1 m, 0 m], max: [0.2 m, 0.1 m, 0.05 m]}}}
+  rim: {region: {box: {min: [0.0999 m, -0.1 m, -0.1 m], max: [0.2 m, 0.1 m, -0.05 m]}}}
+gauges: {lost: {region: {box: {min: [0 m, 0 m, 10 m], max: [0.1 m, 0.1 m, 11 m]}}}}
+clumps: {counts: {gone: {region: {annulus: {center: [0 m, -1 m, 0 m], outer_radius: 0.5 m, height: 0.1 m}}}}}
+history_map: {cell: 10 mm, region: {box: {min: [0 m, 0 m, -0.3 m], max: [0.1 m, 0.1 m, -0.2 m]}}}
 stages: [{name: run, duration: 0.1 s}]
 """)
         # 1 mm in a step of 1e-5 s are 100 m/s
@@ -93,9 +99,45 @@ stages: [{name: run, duration: 0.1 s}]
             told = [line.split(None, 1)[1] for line in done.stdout.splitlines() if line.startswith("WARNING")]
             self.assertEqual([text[:33] for text in told if text.startswith("grains.0.velocity")],
                              ["grains.0.velocity: 101 m/s are 1."] * fast)
-            self.assertEqual([text.split(" and ")[0] for text in told if text.startswith("outlets.")], ["outlets.there.region"])
-            self.assertEqual([text.split(" lies")[0] for text in told if ": walls." in text],
-                             ["case.yaml:10:3: walls.far: nothing of it"])
+            self.assertIn("case.yaml:14:11: outlets.there.region: overlaps grains.0.region: grains are removed where they "
+                          "come in. Move one of them\n    there: {region: ", done.stdout)
+            self.assertEqual([text.split(" lies")[0] for text in told if "nothing of it" in text],
+                             ["case.yaml:10:3: walls.far: nothing of it",
+                              "case.yaml:15:10: outlets.away.region: nothing of it",
+                              "case.yaml:17:17: gauges.lost.region: nothing of it",
+                              "case.yaml:18:26: clumps.counts.gone.region: nothing of it",
+                              "case.yaml:19:28: history_map.region: nothing of it"])
+            self.assertIn("its y is -1.5 to -0.5 m, that of the domain -0.1 to 0.1 m", done.stdout)
+            self.assertRegex(done.stdout, r"wall-clock +\S+ \w+ at this rate, at most \S+ \w+ in a dense fast stream\n")
+            self.assertNotIn("ten times", done.stdout)
+        done = clod.run("check", "--json", "case.yaml", "--threads", "1", "--set", base.replace("SPEED", "9 m/s"), cwd=self.folder)
+        told = json.loads(done.stdout)
+        self.assertAlmostEqual(told["wall_clock_most_s"], 10 * told["wall_clock_likely_s"], delta=1e-6 * told["wall_clock_most_s"])
+
+    def test_an_inlet_of_which_nothing_comes(self):
+        """It opens when the run ends; or half of the smallest grain, 5.236 g of 10.472 g, is never due."""
+        with open(self.path("case.yaml"), "w") as file:
+            file.write("""\
+materials: {ore: {density: 2500 kg/m3}}
+contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5}}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+domain: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 1 m], open: delete}
+time: {step: 1e-5 s, design_stress: 100 Pa}
+grains:
+  - material: ore
+    radius: {distribution: uniform, min: 10 mm, max: 20 mm}
+    region: {box: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 1 m]}}
+    inlet: {mass_flow: 10.47 g/s, start: 2.5 s}
+stages: [{name: run, duration: 1 s}, {name: on, duration: 2 s}]
+""")
+        self.refused("check", self.path("case.yaml"), "grains.0.inlet.start=3 s",
+                     "grains.0.inlet.start: 3 s is not before the end of the run, 3 s")
+        for change, told in (("grains.0.inlet.mass_flow=10.47 g/s", True), ("grains.0.inlet.mass_flow=10.48 g/s", False),
+                             ("grains.0.inlet={number_flow: 10 1/s, end: 49 ms}", True),
+                             ("grains.0.inlet={number_flow: 10 1/s, end: 51 ms}", False)):
+            done = clod.run("check", "case.yaml", "--threads", "1", "--set", change, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("grains.0.inlet: nothing comes: until it ends, or the run does" in done.stdout, told, change)
 
     def test_ore_case_has_no_warning_of_its_inertia(self):
         done = clod.run("check", ORE, "--threads", "1", cwd=self.folder)

@@ -3,6 +3,7 @@
 import glob
 import json
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -106,6 +107,36 @@ class CheckMesh(clod.Case):
             self.assertEqual(done.returncode, 2)
             self.assertIn("clod check: case.yaml:6:" + key, done.stderr)
             self.assertIn(said, done.stderr)
+
+
+    def test_two_walls_with_one_face(self):
+        """Both say it, in the same words; of one wall with both sheets, nobody."""
+        shapes = "[{mesh: {file: sheet.obj, unit: 1 m}}]"
+        for more, count in ((f"}}, lid: {{material: ore, shapes: {shapes}", 1), ("", 0)):
+            self.case(2, more=more)
+            told = [text for text in self.check()["warnings"] if "one plane" in text]
+            self.assertEqual(len(told), count)
+            for text in told:
+                self.assertIn(": walls.lid: 8 of its facets lie in one plane with facets of walls.sheet", text)
+            ran = [line for line in self.run_case().splitlines() if "one plane" in line]
+            self.assertEqual(ran, ["clod: warning: " + text for text in told])
+
+
+    def test_a_unit_alone_is_one_of_it(self):
+        """As clod mesh --unit takes it; the editor's schema too."""
+        for unit in ("um", "1 um"):
+            self.case(2, unit=unit)
+            self.assertIn("sheet.obj: The mesh is 4e-07 m long", str(self.check()["warnings"]), unit)
+        wall = json.loads(clod.run("schema").stdout)["properties"]["walls"]["patternProperties"]
+        shape = next(iter(wall.values()))["properties"]["shapes"]["items"]["properties"]
+        pattern = shape["mesh"]["properties"]["unit"]["anyOf"][0]["pattern"]
+        for text, fits in (("mm", True), ("25.4 mm", True), ("in", True), ("3", False), ("", False)):
+            self.assertEqual(re.search(pattern, text) is not None, fits, text)
+        for unit, words in (("kg", '"kg" is not a number; write for instance 1 mm'), ("mmm", '"mmm" is not a number')):
+            self.case(2, unit=unit)
+            done = clod.run("check", "case.yaml", cwd=self.folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
 
 
 if __name__ == "__main__":

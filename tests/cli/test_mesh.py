@@ -70,7 +70,8 @@ class Mesh(clod.Case):
         self.assertGreater(r, b + 80)
         r, _, b = at(0.25, 0.3)
         self.assertLess(abs(r - b), 40)
-        for option, word in (("--size=1x1", "pixels"), ("--view=back", "oblique")):
+        for option, word in (("--size=1x1", "pixels"), ("--view=back", "oblique"),
+                             ("--picture=a.jpg", "--picture a.jpg: pictures are PNG; let the name end in .png")):
             self.assertIn(word, self.mesh("box.stl", "--unit=mm", option, code=2))
         self.assertIn("nowhere/box.png", self.mesh("box.stl", "--unit=mm",
                                                    "--picture=nowhere/box.png", code=1))

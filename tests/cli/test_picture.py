@@ -299,6 +299,9 @@ class Picture(clod.Case):
             self.picture(self.results, "-o", "a.png", "-c", field, "--size=200x200", "--quality=draft")
 
     def test_what_is_wrong_is_named(self):
+        for name in ("x.jpg", "x.PNG.svg", "a.d/x.tiff"):
+            self.assertIn(f"--output {name}: pictures are PNG; let the name end in .png",
+                          self.picture(self.results, "-o", name, code=2))
         said = self.picture(self.results, "--color=moisture", code=2)
         self.assertIn("grains have no field moisture. Fields: ", said)
         for name in ("radius", "velocity (_x, _y, _z)", "speed", "age", "kinetic_energy"):

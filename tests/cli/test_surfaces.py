@@ -63,7 +63,7 @@ f 2 6 3
 ALONE = """\
 materials:
   ore: {{density: 2500 kg/m3}}
-  steel: {{hardness: 2 GPa, archard: 1e-3, finnie: 1e-4}}
+  steel: {{{wear}}}
 contacts: {{default: {{law: hooke, k1: 1e5 N/m, restitution: {restitution}, friction: {friction}}}}}
 gravity: [0 m/s2, 0 m/s2, -{gravity} m/s2]
 time: {{step: {step} s}}
@@ -82,7 +82,8 @@ class Surfaces(clod.Case):
     def go_alone(self, height, velocity, duration, **case):
         """Faces of the plate after one grain at x = 60 mm, y = -30 mm: above one facet."""
         with open(self.path("case.yaml"), "w") as file:
-            file.write(ALONE.format(duration=duration, **case))
+            wear = case.pop("wear", "hardness: 2 GPa, archard: 1e-3, finnie: 1e-4")
+            file.write(ALONE.format(duration=duration, wear=wear, **case))
         with open(self.path("plate.obj"), "w") as file:
             file.write(LEVEL)
         with open(self.path("grain.csv"), "w") as file:
@@ -90,8 +91,26 @@ class Surfaces(clod.Case):
                        f"0.06,-0.03,{height!r},{RADIUS},{velocity[0]!r},{velocity[1]!r}\n")
         done = clod.run("run", "case.yaml", "-o", "run", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.report = done.stdout
         with open(self.path("run/summary.json")) as file:
             return {face["name"]: face for face in json.load(file)["surfaces"]}
+
+    def test_wear_without_a_coefficient_is_not_known(self):
+        """A dash in the report and no number in the summary; with one of both, that one: not 0, which is a
+        liner that does not wear."""
+        for wear, given in (("", ""), ("hardness: 2 GPa, archard: 1e-3", "archard"),
+                            ("hardness: 2 GPa, finnie: 1e-4", "finnie")):
+            faces = self.go_alone(RADIUS, (0.2, -0.05), 2e-3, restitution=0.3, friction=0.3,
+                                  gravity=9.81, step=1e-5, wear=wear)
+            row = next(line for line in self.report.splitlines() if "plate.near" in line).split()
+            for place, law in ((-2, "archard"), (-1, "finnie")):
+                keys = (f"{law}_m3_per_s", f"{law}_depth_m_per_s")
+                self.assertEqual([key in faces["plate.near"] for key in keys], [law == given] * 2, wear)
+                if law == given:
+                    self.assertGreater(float(row[place]), 0.0)
+                else:
+                    self.assertEqual(row[place], "-", wear)
+            shutil.rmtree(self.path("run"))
 
     def test_archard_of_a_slide(self):
         """A sphere set down at speed v slips until it rolls at 5/7 v: the contact slips by

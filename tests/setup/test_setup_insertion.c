@@ -333,8 +333,30 @@ static void column_without_room_is_refused(void **state)
         .kind = CLOD_REGION_ANNULUS, .inner_radius = 50e-3, .outer_radius = 100e-3};
     double height = 0.0;
     assert_false(clod_insert_annulus_column(&s.state, &s.what, &height, &s.status));
-    assert_non_null(strstr(s.status.text, "only 0 of 10 grains fit"));
+    // grains of 60 mm between circles that are 50 mm apart
+    assert_non_null(
+        strstr(s.status.text, "is 50 mm thick, thinner than a grain: the largest has 60 mm"));
     clod_state_fini(&s.state);
+}
+
+/** A slab of 19.9 mm takes no grain of 20 mm, one of 20.1 mm does; a face 19 mm wide takes none. */
+static void a_region_thinner_than_a_grain_is_named(void **state)
+{
+    (void)state;
+    for (int thick = 0; thick < 2; thick++) {
+        scene s;
+        scene_init(&s, 3, 10e-3, 10e-3);
+        s.what.name = "grains.0";
+        scene_box(&s, 0.1, 0.1, thick ? 20.1e-3 : 19.9e-3);
+        assert_int_equal(clod_insert_region(&s.state, &s.what, &s.status), thick);
+        if (!thick) {
+            assert_string_equal(
+                s.status.text,
+                "grains.0.region: is 19.9 mm thick, thinner than a grain: the largest has 20 mm, and "
+                "grains lie whole in it. Make it thicker, as a rule several grains");
+        }
+        clod_state_fini(&s.state);
+    }
 }
 
 int main(void)
@@ -352,6 +374,7 @@ int main(void)
         cmocka_unit_test(very_different_sizes_fit),
         cmocka_unit_test(column_rises_until_all_grains_are_in),
         cmocka_unit_test(column_without_room_is_refused),
+        cmocka_unit_test(a_region_thinner_than_a_grain_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
