@@ -13,7 +13,7 @@
 #include "output/folder_names.h"
 
 #define PATH 4096
-#define MARK 192 ///< bytes of the comment
+#define MARK 192 ///< bytes of a mark
 
 /** Where the figures of a page are. */
 typedef struct place {
@@ -34,10 +34,10 @@ static place place_of(const char *page)
     return self;
 }
 
-/** The comment behind a figure. */
+/** The line behind a figure: no comment, in which XML allows no "--" as names of figures have. */
 static void write_mark(const char *name, const char *svg, size_t size, char mark[MARK])
 {
-    snprintf(mark, MARK, "<!-- clod figure %s, crc32 %08" PRIx64 " -->\n", name,
+    snprintf(mark, MARK, "<?clod figure %s, crc32 %08" PRIx64 "?>\n", name,
              clod_file_crc32(0, svg, size));
 }
 
@@ -58,7 +58,7 @@ static bool is_clods(const char *path, const char *name, bool *there)
     if (error != 0) {
         return false;
     }
-    // the comment is the last line
+    // the mark is the last line
     const char *text = bytes;
     size_t start = size > 0 ? size - 1 : 0;
     while (start > 0 && text[start - 1] != '\n') {

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file figure_files.h
- * The SVG files of a page's figures, beside it: PAGE without .html, -NAME.svg. Each ends with a comment
+ * The SVG files of a page's figures, beside it: PAGE without .html, -NAME.svg. Each ends with a line
  * that has its figure's name and a checksum, so that a file of this kind is known from a user's own, a copy
  * under another name or one that was edited.
  */

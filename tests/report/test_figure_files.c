@@ -10,7 +10,7 @@
 #include "report/figure_files.h"
 
 static char first[] = "<svg>first</svg>\n", second[] = "<svg>second</svg>\n";
-static const clod_figure_file FILES[] = {{"flow-function", first}, {"outlets", second}};
+static const clod_figure_file FILES[] = {{"flow-function", first}, {"out--lets", second}};
 
 /** Write a page's figures as a page is written; the page itself is not needed. */
 static bool write_page(void **folder, const char *page, size_t count, clod_status *status)
@@ -41,10 +41,14 @@ static void figures_of_an_earlier_page_go(void **folder)
 {
     clod_status status;
     assert_true(write_page(folder, "out.html", 2, &status));
-    assert_true(temp_exists(folder, "out-outlets.svg"));
+    assert_true(temp_exists(folder, "out-out--lets.svg"));
+    size_t size;
+    char *text = temp_read(folder, "out-out--lets.svg", &size);
+    assert_null(strstr(text, "<!--")); // a comment must have no "--" in it
+    clod_memory_free(text);
     assert_true(write_page(folder, "out.html", 1, &status));
     assert_true(temp_exists(folder, "out-flow-function.svg"));
-    assert_false(temp_exists(folder, "out-outlets.svg"));
+    assert_false(temp_exists(folder, "out-out--lets.svg"));
     assert_true(write_page(folder, "out.html", 0, &status));
     assert_false(temp_exists(folder, "out-flow-function.svg"));
 }
@@ -55,22 +59,22 @@ static void other_files_stay(void **folder)
     size_t size;
     char outlets[200], edited[200];
     assert_true(write_page(folder, "out.html", 2, &status));
-    assert_true(write_page(folder, "out-2.html", 2, &status)); // out-2-outlets.svg
-    char *text = temp_read(folder, "out-outlets.svg", &size);
+    assert_true(write_page(folder, "out-2.html", 2, &status)); // out-2-out--lets.svg
+    char *text = temp_read(folder, "out-out--lets.svg", &size);
     snprintf(outlets, sizeof outlets, "%s", text);
     clod_memory_free(text);
     snprintf(edited, sizeof edited, "%s", outlets);
     *strstr(edited, "second") = 'S';
     put(folder, "out-for-paper.svg", outlets); // a copy under another name
-    put(folder, "out-outlets.svg", edited);
+    put(folder, "out-out--lets.svg", edited);
     put(folder, "out-mine.svg", "<svg/>\n");
     put(folder, "out-.svg", "<svg/>\n");
     put(folder, "out-empty.svg", "");
     assert_true(write_page(folder, "out.html", 0, &status));
     assert_false(temp_exists(folder, "out-flow-function.svg"));
-    has(folder, "out-outlets.svg", edited);
+    has(folder, "out-out--lets.svg", edited);
     has(folder, "out-for-paper.svg", outlets);
-    has(folder, "out-2-outlets.svg", outlets);
+    has(folder, "out-2-out--lets.svg", outlets);
     has(folder, "out-mine.svg", "<svg/>\n");
     assert_true(temp_exists(folder, "out-.svg") && temp_exists(folder, "out-empty.svg"));
 }
@@ -78,26 +82,26 @@ static void other_files_stay(void **folder)
 static void a_file_of_the_user_is_not_overwritten(void **folder)
 {
     clod_status status;
-    put(folder, "out-outlets.svg", "<svg>mine</svg>\n");
+    put(folder, "out-out--lets.svg", "<svg>mine</svg>\n");
     assert_false(write_page(folder, "out.html", 2, &status));
     assert_int_equal(status.code, CLOD_USAGE);
-    assert_non_null(strstr(status.text, "out-outlets.svg is in the way of a figure of "));
-    has(folder, "out-outlets.svg", "<svg>mine</svg>\n");
+    assert_non_null(strstr(status.text, "out-out--lets.svg is in the way of a figure of "));
+    has(folder, "out-out--lets.svg", "<svg>mine</svg>\n");
     assert_false(temp_exists(folder, "out-flow-function.svg"));
     assert_true(write_page(folder, "out.html", 1, &status)); // that figure is not wanted
-    has(folder, "out-outlets.svg", "<svg>mine</svg>\n");
+    has(folder, "out-out--lets.svg", "<svg>mine</svg>\n");
 }
 
 static void a_results_folder_has_the_names_of_its_report(void **folder)
 {
     clod_status status;
     put(folder, ".clod-lock", "");
-    put(folder, "report-outlets.svg", "<svg>of an older clod</svg>\n");
-    put(folder, "other-outlets.svg", "<svg>mine</svg>\n");
+    put(folder, "report-out--lets.svg", "<svg>of an older clod</svg>\n");
+    put(folder, "other-out--lets.svg", "<svg>mine</svg>\n");
     assert_true(write_page(folder, "report.html", 2, &status));
     assert_false(write_page(folder, "other.html", 2, &status));
     size_t size;
-    char *found = temp_read(folder, "report-outlets.svg", &size);
+    char *found = temp_read(folder, "report-out--lets.svg", &size);
     assert_ptr_equal(strstr(found, second), found);
     clod_memory_free(found);
 }

@@ -4,6 +4,7 @@ import json
 import os
 import re
 import sys
+import xml.etree.ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import pages
@@ -194,6 +195,8 @@ class HopperPage(clod.Case):
             file.write(case)
         page, _ = self.design("rough.yaml")
         self.assertNotIn("outlets", page.figures)
+        for name in page.figures:  # the line behind them is XML
+            xml.etree.ElementTree.parse(self.path(f"design-{name}.svg"))
         files = sorted(name for name in os.listdir(self.folder) if name.startswith("design-"))
         self.assertEqual(files, sorted(["design-mine.svg", *(f"design-{name}.svg" for name in page.figures)]))
         os.rename(self.path("design-mine.svg"), self.path("new-outlets.svg"))
