@@ -43,7 +43,7 @@ class Calibrate(bounce.Bounce):
         spread = 3.0 * (B - A) / math.sqrt(12.0) / (0.5 * (A + B)) / math.sqrt(GRAINS)
         for row in rows:
             expected = BEFORE * float(row["e [1]"])**2
-            self.assertLess(abs(float(row["bounce: kinetic_energy_J [1]"]) / expected - 1.0),
+            self.assertLess(abs(float(row["bounce: kinetic_energy_J [J]"]) / expected - 1.0),
                             4.0 * spread)
         # the points that were added lie where the answer is
         for row in rows[12:]:
@@ -60,7 +60,7 @@ class Calibrate(bounce.Bounce):
         rows = self.rows()
         self.assertEqual([float(x) for x in points["x"]], [float(row["e [1]"]) for row in rows])
         self.assertEqual([float(y) for y in points["y"]],
-                         [float(row["bounce: kinetic_energy_J [1]"]) for row in rows])
+                         [float(row["bounce: kinetic_energy_J [J]"]) for row in rows])
         self.assertTrue(os.path.exists(self.path("out/report-target.svg")))
         self.check_page_of_another_version()
 

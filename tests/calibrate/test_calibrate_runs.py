@@ -14,7 +14,7 @@ import bounce
 import clod
 from bounce import BEFORE, PLAN, RESULTS, TRUTH
 
-ENERGY = "bounce: kinetic_energy_J [1]"
+ENERGY = "bounce: kinetic_energy_J [J]"
 SHORT = PLAN.replace("points: 9", "points: 5").replace("seeds: 2", "seeds: 1")
 INTERRUPTED = 128 + signal.SIGTERM
 
