@@ -49,7 +49,7 @@ typedef enum clod_mesh_edge {
 
 /** A named part: an STL solid, an OBJ object or group; the only one of a PLY has no name. */
 typedef struct clod_mesh_part {
-    char *name;    ///< "" = none
+    char *name;    ///< "" = none; printable UTF-8, up to CLOD_MESH_NAME_MOST bytes
     size_t facets; ///< that are kept
 } clod_mesh_part;
 
