@@ -5,6 +5,11 @@
  * such names.
  */
 
+/** An ending, and the unit that a page shows. */
+typedef struct clod_unit_ending {
+    const char *ending, *unit;
+} clod_unit_ending;
+
 #define CLOD_UNIT_ENDINGS_DEGREE 57.295779513082321 ///< 180/pi
 
 /** ROW(ending, SI unit, unit of the number, SI -> that unit) for each, the longer before those that it

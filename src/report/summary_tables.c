@@ -13,9 +13,7 @@
 #define ROW(ending, si, shown, factor) {ending, shown},
 
 /** Endings of keys and the units that they mean. */
-static const struct {
-    const char *ending, *unit;
-} UNITS[] = {CLOD_UNIT_ENDINGS(ROW)};
+static const clod_unit_ending UNITS[] = {CLOD_UNIT_ENDINGS(ROW)};
 
 /** Blanks for underscores. */
 static void put_blanks(char *name)

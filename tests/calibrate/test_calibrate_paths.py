@@ -161,7 +161,7 @@ class Paths(bounce.Bounce):
         paths = [path for path in leaves(self.run_stream()) if path != "kinetic_energy_J"]
         self.assertGreater(len(paths), 400)
         for some in ("residence.p50_s", "surfaces.1.area_m2", "surfaces.3.impacts.angle_deg.mean", "inlets.0.backlog_kg",
-                     "inlets.1.backlog_grains", "build_up.sheet.right_side.mean_kg", "clumps.counts.low_kg.mean.number",
+                     "inlets.1.backlog_grains", "build_up.sheet.right side.mean_kg", "clumps.counts.low_kg.mean.number",
                      "balance.out.left_x_max.grains", "clumps.left.sizes.0.grains", "history_map.strongest.corner_m.2"):
             self.assertIn(some, paths)
         for first in range(0, len(paths), 100):
@@ -187,7 +187,7 @@ class Paths(bounce.Bounce):
                 self.assertEqual(len(words), 2, line)
                 names = set(words[1].split(", "))
                 if path == "build_up.sheet":
-                    names -= {"left", "right_side"}  # parts of its mesh: "sheet.left" beside it
+                    names -= {"left", "right side"}  # parts of its mesh: "sheet.left" beside it
                 of = {name.split(".")[0] for name in of}
                 if all(name.isdigit() for name in of):
                     continue  # of a list the message tells a range

@@ -217,7 +217,7 @@ sampling: {samples: 1000}
         for name, value in zip(names, ("0.0001", "0.00011")):
             self.assertRegex(told, re.escape(name) + r" +" + re.escape(value) + " ")
             self.assertEqual(told.count(name), 2)  # in its table of targets and under Surrogates
-            self.assertIn(f"{name} [1]", self.rows()[0])
+            self.assertIn(f"{name} [J]", self.rows()[0])
         self.assertEqual(clod.run("report", "out", cwd=self.folder).returncode, 0)
         with open(self.path("out/report.html")) as file:
             page = file.read()
