@@ -141,10 +141,27 @@ static clod_surface_triangle half_face(const clod_shape *box, int face, int half
     return made;
 }
 
+/** Whether a facet lies beyond a face of a box. */
+static bool is_beside(const clod_surface_triangle *facet, const clod_shape *box, double crack)
+{
+    bool beside = false;
+    for (int a = 0; a < 3; a++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int c = 0; c < 3; c++) {
+            const clod_vec3 arm = clod_vec3_sub(facet->corner[c], box->center);
+            const double along = clod_vec3_dot(arm, box->axis[a]);
+            low = fmin(low, along);
+            high = fmax(high, along);
+        }
+        beside = beside || low > box->half[a] + crack || high < -box->half[a] - crack;
+    }
+    return beside;
+}
+
 static bool lies_on_box(const clod_surface_triangle *facet, const clod_shape *box, double crack)
 {
     bool in = false;
-    for (int k = 0; k < 12 && !in; k++) {
+    for (int k = is_beside(facet, box, crack) ? 12 : 0; k < 12 && !in; k++) {
         const clod_surface_triangle face = half_face(box, k / 2, k % 2);
         in = clod_surface_flush_are(&face, facet, crack);
     }

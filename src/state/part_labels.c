@@ -98,14 +98,16 @@ static void find_twice(labels *self)
     }
 }
 
-/** Whether a label is the cleaned name of a surface, or that of one of the first `made`. */
+/** Whether a label is the cleaned name of a surface, or that of one of the first `made`: two that do not end as "NAME
+ *  (2)" does begin with different shapes or go on with different names. */
 static bool is_taken(const labels *self, const char *label, size_t made)
 {
     labelled asked = {.plain = label};
     labelled *const key = &asked;
     bool taken =
         bsearch(&key, self->by_name, self->named, sizeof *self->by_name, compare_names) != NULL;
-    for (size_t k = 0; k < made && !taken; k++) {
+    const bool may_be = label[strlen(label) - 1] == ')';
+    for (size_t k = 0; may_be && k < made && !taken; k++) {
         taken = self->by_name[k]->twice && strcmp(self->by_name[k]->label, label) == 0;
     }
     return taken;

@@ -81,7 +81,7 @@ static bool rebuild(clod_step *self, const clod_requests *found, clod_status *st
     if (!self->failed) {
         mark_lost(self, found);
         clod_team_run(self, clod_remake_lists);
-        clod_step_begin_motion(self, 0);
+        clod_step_begin_motion(self);
     }
     if (self->failed) { // the lists are gone
         *status = self->status;

@@ -105,7 +105,7 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
     if (!clod_spread_agree(self->spread, clod_near_make(&job, status), status)) {
         return false;
     }
-    clod_step_begin_motion(self, 0);
+    clod_step_begin_motion(self);
     clod_step_list_moving(self);
     clod_step_list_summed(self);
     clod_step_set_view(self);

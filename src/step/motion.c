@@ -56,8 +56,10 @@ static void watch_rows(clod_step *self, clod_step_thread *mine, clod_near_watch 
     const clod_near_seen seen =
         clod_near_look(&self->near, self->state, mine->age, rows.begin, rows.end);
     *watch = (clod_near_watch){.left = seen.left, .fastest = seen.fastest};
-    mine->gone += seen.gone;
-    mine->off_course += seen.off_course;
+    if (mine->age > self->state->dt) { // after one step all grains are where they were expected
+        mine->gone += seen.gone;
+        mine->off_course += seen.off_course;
+    }
     mine->used_up = mine->used_up || seen.left < 0.0;
 }
 

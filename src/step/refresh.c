@@ -93,22 +93,30 @@ clod_near_skins clod_step_skins(const clod_step *self, double speed)
                                              (2.0 * typical * fmax(bed.pairs, 1.0)))
                                       : 0.0;
     const double least = 0.5 * NEAR_LEAST * bed.smallest, most = 0.5 * skin;
+    const double last =
+        bed.fastest > 0.0 ? most / bed.fastest : 0.0; // by then there is a rebuild
     const double walls = WALL_SUDDEN * time * wall_speed(&self->state->walls, &self->walls);
     return (clod_near_skins){.time = change * time,
                              .least = fmin(fmax(least, time * some), most),
                              .most = most,
                              .follow = follow,
-                             .horizon = time,
+                             .horizon = fmin(time, last),
                              .wall = fmin(fmax(least, walls), most),
                              .largest = bed.largest};
 }
 
-void clod_step_begin_motion(clod_step *self, int part)
+static void begin_motion(clod_step_thread *mine)
 {
-    clod_step_thread *mine = &self->thread[part];
     mine->age = mine->wall_motion = 0.0;
     mine->gone = mine->off_course = 0.0;
     mine->used_up = false;
+}
+
+void clod_step_begin_motion(clod_step *self)
+{
+    for (int t = 0; t < self->threads; t++) {
+        begin_motion(&self->thread[t]);
+    }
 }
 
 /** Whether a grain or a wall has moved by more than its skin, or the list is too old. */
@@ -148,7 +156,7 @@ void clod_step_near(clod_step *self, int part)
         }
         clod_barrier_wait(&self->barrier);
         clod_remake_lists(self, part);
-        clod_step_begin_motion(self, part);
+        begin_motion(mine);
         mine->build_motion = again ? 0.0 : mine->build_motion;
     }
 }

@@ -162,8 +162,6 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     self->state->contact_count = self->state->wall_contact_count = 0; // of the moment before
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].build_motion = self->state->build_motion;
-        self->thread[t].age = self->thread[0].age;
-        self->thread[t].wall_motion = self->thread[0].wall_motion;
         self->thread[t].late = self->thread[t].noted = false;
     }
     self->trouble.any = false;

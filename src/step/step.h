@@ -328,8 +328,8 @@ bool clod_step_wall_contact_of(const clod_step *self, uint64_t id, int32_t wall,
  */
 clod_near_skins clod_step_skins(const clod_step *self, double speed);
 
-/** A near list has been made: motion counts from now on, as thread `part` sees it. */
-void clod_step_begin_motion(clod_step *self, int part);
+/** A near list has been made outside of a step: motion counts from now on, for all threads. */
+void clod_step_begin_motion(clod_step *self);
 
 void clod_step_fini(clod_step *self);
 

@@ -149,7 +149,10 @@ static void check_complete(const scene *s, int *touching)
         size_t k = search->pairs.start[i];
         for (size_t j = i + 1; j < s->state.grains.count; j++) {
             const double *b = s->state.grains.position[j];
-            const clod_vec3 apart = clod_vec3_sub(clod_vec3_of(a), clod_vec3_of(b));
+            const clod_domain *domain = &s->state.domain;
+            const clod_vec3 apart = {clod_domain_separation(domain, 0, a[0], b[0]),
+                                     clod_domain_separation(domain, 1, a[1], b[1]),
+                                     clod_domain_separation(domain, 2, a[2], b[2])};
             for (; k < search->pairs.start[i + 1] && search->pairs.item[k].j < j; k++) {
             }
             const bool listed = k < search->pairs.start[i + 1] &&
@@ -206,26 +209,30 @@ static void what_touches_is_on_the_list(void **state)
     }
 }
 
-/** Four layers of grains that meet, in free flight and then in collisions: they follow their courses,
- *  and whatever touches has been on the list before. */
-static void what_meets_is_on_the_list(void **state)
+/** Layers of edge x edge grains that meet, in free flight and then in collisions: they follow their
+ *  courses, and whatever touches has been on the list before. */
+static void check_meeting(int edge, int layers, int threads, bool periodic)
 {
-    (void)state;
     const clod_case_contact ore = contact_ore();
+    const double gap = 2.3 * RADIUS;
     scene s;
     scene_init(&s, 2.0 * DT, &ore);
-    for (int g = 0; g < 64; g++) {
-        const double gap = 2.3 * RADIUS;
-        scene_grain(&s, gap * (g % 4), gap * (g / 4 % 4), RADIUS + 2.0 * gap * (g / 16),
-                    RADIUS);
+    for (int g = 0; g < edge * edge * layers; g++) {
+        scene_grain(&s, gap * (g % edge), gap * (g / edge % edge),
+                    RADIUS + 2.0 * gap * (g / (edge * edge)), RADIUS);
+    }
+    if (periodic) { // the way of 40 ms at 1 m/s is more than a period of 32 mm
+        s.state.domain.periodic[0] = true;
+        s.state.domain.min[0] = -0.5 * gap;
+        s.state.domain.max[0] = (edge - 0.5) * gap;
     }
     scene_wall(&s, "floor", shape_floor(0.0));
-    for (size_t g = 0; g < 64; g++) {
+    for (size_t g = 0; g < s.state.grains.count; g++) {
         const double z = s.state.grains.position[g][2];
         scene_move(&s, g, 1.0, 0.05 * clod_random_uniform(3, CLOD_RANDOM_TEST, g, 0),
                    -20.0 * z);
     }
-    scene_start(&s);
+    scene_start_with(&s, (clod_step_options){.threads = threads});
     int touching = 0, followed = 0;
     for (int k = 0; k < 1000; k++) {
         scene_run(&s, 20);
@@ -235,6 +242,13 @@ static void what_meets_is_on_the_list(void **state)
     assert_true(touching > 1000 && followed > 500);
     assert_true(s.step.refreshes > 10 && s.step.refreshes < 800);
     scene_end(&s);
+}
+
+static void what_meets_is_on_the_list(void **state)
+{
+    (void)state;
+    check_meeting(4, 4, 1, false);
+    check_meeting(7, 6, 3, true); // 294 grains: several watches in each thread's part
 }
 
 /** What shakes in its place is expected to stay there. */
