@@ -25,7 +25,10 @@ typedef struct labels {
 
 char clod_part_labels_clean(char of)
 {
-    return (unsigned char)of < ' ' || strchr(",;\"[]", of) != NULL ? '_' : of;
+    if ((unsigned char)of < ' ' || strchr(",;\"[]", of) != NULL) {
+        return '_';
+    }
+    return of;
 }
 
 static int compare_names(const void *left, const void *right)
