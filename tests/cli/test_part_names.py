@@ -1,7 +1,9 @@
 """Names of parts on the command line: those that several shapes of a wall share (tests/support/same_names.py)."""
 
+import html
 import json
 import os
+import re
 import shutil
 import sys
 
@@ -114,6 +116,31 @@ class PartNames(clod.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(b'"Cube.001":\n', clod.read(self.path("run/case-complete.yaml")))
         self.assertIn(b"speed: -3 m/s\n", clod.read(self.path("run/case-complete.yaml")))
+
+    def test_what_differs(self):
+        """`compare` and --from tell parts apart by their whole names, with colons and alike in 100 characters."""
+        names = ["Hood: left", "Hood: right", 2 * LONG + "1", 2 * LONG + "2"]
+        for run, speeds in (("run1", (1, 5, 2, 3)), ("run2", (2, 6, 2, 4))):
+            parts = [f'"{name}": {{speed: {speed} m/s}}' for name, speed in zip(names, speeds)]
+            text = same_names.CASE
+            for file, two in (("one.obj", parts[:2]), ("two.obj", parts[2:])):
+                text = text.replace(f"file: {file},", f"file: {file}, parts: {{{', '.join(two)}}},")
+            same_names.write(self.path, text)
+            for file, (left, right) in (("one.obj", names[:2]), ("two.obj", names[2:])):
+                with open(self.path(file), "w") as out:
+                    out.write(same_names.PLATE.replace("o left", f"o {left}").replace("o right", f"o {right}"))
+            origin = ["--from", "run1"] if run == "run2" else []
+            done = clod.run("run", "case.yaml", "-o", run, *origin, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        differ = {f'walls.plates.shapes.0.mesh.parts."{names[0]}".speed': ("1 m/s", "2 m/s"),
+                  f'walls.plates.shapes.0.mesh.parts."{names[1]}".speed': ("5 m/s", "6 m/s"),
+                  f'walls.plates.shapes.1.mesh.parts."{names[3]}".speed': ("3 m/s", "4 m/s")}
+        told = re.findall(r"^ +(walls.*): (.*) there, (.*) here$", done.stderr, re.M)
+        self.assertEqual({key: (there, here) for key, there, here in told}, differ)
+        self.assertEqual(clod.run("compare", "run1", "run2", "-o", "c.html", cwd=self.folder).returncode, 0)
+        page = clod.read(self.path("c.html")).decode()
+        rows = re.findall(r"<tr><th>(walls[^<]*)</th><td>([^<]*)</td><td>([^<]*)</td></tr>", page)
+        self.assertEqual({html.unescape(key): (there, here) for key, there, here in rows}, differ)
 
     def test_names_that_are_no_text(self):
         """Control characters and bytes that are no UTF-8 reach no terminal; a name that comes again goes on."""
