@@ -117,6 +117,28 @@ class PartNames(clod.Case):
         self.assertIn(b'"Cube.001":\n', clod.read(self.path("run/case-complete.yaml")))
         self.assertIn(b"speed: -3 m/s\n", clod.read(self.path("run/case-complete.yaml")))
 
+    def test_a_setting_of_a_part_with_equals_signs(self):
+        """The key ends at the = behind the longest name that the case has, or at the first; the part may lack the key."""
+        names = ["a", "a=b", "a=b.c=d", "x=y"]
+        text = same_names.CASE
+        for file, two in (("one.obj", names[:2]), ("two.obj", names[2:])):
+            text = text.replace(f"file: {file},", f"""file: {file}, parts: {{"{two[0]}": {{}}, "{two[1]}": {{}}}},""")
+        same_names.write(self.path, text)
+        for file, (left, right) in (("one.obj", names[:2]), ("two.obj", names[2:])):
+            with open(self.path(file), "w") as out:
+                out.write(same_names.PLATE.replace("o left", f"o {left}").replace("o right", f"o {right}"))
+        places = [f"walls.plates.shapes.{k // 2}.mesh.parts.{name}.speed" for k, name in enumerate(names)]
+        settings = [f"--set={place}={k + 3} m/s" for k, place in enumerate(places)] + ["--set=title=a.b=c=d"]
+        done = clod.run("run", "case.yaml", "-o", "run", "--fresh", *settings, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        complete = clod.read(self.path("run/case-complete.yaml")).decode()
+        self.assertEqual(re.findall(r'^ *"(.*)":\n(?: *\w+: .*\n)*? *speed: (.*) m/s$', complete, re.M),
+                         [(name, str(k + 3)) for k, name in enumerate(names)])
+        self.assertIn('\ntitle: "a.b=c=d"\n', complete)
+        done = clod.run("check", "case.yaml", "--set", "walls.plates.shapes.0.mesh.parts.e=f.speed=1 m/s", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("walls.plates.shapes.0.mesh.parts.e", done.stderr)
+
     def test_what_differs(self):
         """`compare` and --from tell parts apart by their whole names, with colons and alike in 100 characters."""
         names = ["Hood: left", "Hood: right", 2 * LONG + "1", 2 * LONG + "2"]
