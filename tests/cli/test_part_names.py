@@ -185,6 +185,27 @@ class PartNames(clod.Case):
         self.assertIn(".parts.no?: the mesh ", done.stderr)
         self.assertIn("its parts are " + ", ".join(told), done.stderr)
 
+    def test_names_that_become_alike(self):
+        """Two or three names of one reading: a warning each, also of a long one, whose cut splits no character."""
+        long = "é".encode() * 101
+        names = [b"a\xff", b"a\xfe", b"b\x01", b"b\x02", b"b\xff", b"c\xff", b"d?", long + b"\xff", long + b"\x01"]
+        with open(self.path("one.obj"), "wb") as file:
+            for k, name in enumerate(names):
+                file.write(b"o %s\nv 0 0 %d\nv 100 0 %d\nv 0 100 %d\nf -3 -2 -1\n" % (name, k, k, k))
+        told = clod.run("mesh", "one.obj", "--unit=mm", "--json", cwd=self.folder)
+        warnings = json.loads(told.stdout)["warnings"]
+        shown = [re.match("([0-9]) parts are called ([^:]*): .* means (both|all of them);", text) for text in warnings]
+        self.assertEqual([one.groups() for one in shown],
+                         [("2", "a?", "both"), ("3", "b?", "all of them"), ("2", 40 * "é" + "...", "both")])
+        case = same_names.CASE.replace("file: one.obj,", 'file: one.obj, parts: {"a?": {speed: 1 m/s}},')
+        for name, text in (("case.yaml", case), ("two.obj", same_names.PLATE), ("grains.csv", "x [mm],y [mm],z [mm],radius [mm]\n50,50,50,4\n")):
+            with open(self.path(name), "w") as file:
+                file.write(text)
+        told = clod.run("check", "case.yaml", "--json", cwd=self.folder)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        told = [text for text in json.loads(told.stdout)["warnings"] if "parts are called" in text]
+        self.assertEqual(told, [f"walls.plates: one.obj: {text}" for text in warnings])
+
 
 if __name__ == "__main__":
     clod.main()
