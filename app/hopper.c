@@ -27,7 +27,9 @@ typedef struct request {
 static const struct argp_option OPTIONS[] = {
     {"json", KEY_JSON, NULL, 0, "print everything as JSON in place of the table", 0},
     {"output", 'o', "NAME", 0,
-     "also write NAME.json, the design chart NAME.svg and the page NAME.html", 0},
+     "also write NAME.json, the design chart NAME.svg and the page NAME.html; they replace files "
+     "of these names",
+     0},
     {"set", KEY_SET, "KEY=VALUE", 0, "another value for a key, e.g. cone.outlet=200mm", 0},
     {0},
 };

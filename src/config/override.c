@@ -46,11 +46,31 @@ static clod_node *descend(clod_loader *loader, clod_node *node, const char *key,
     return next;
 }
 
+/**
+ * The = behind the key of a setting; NULL: there is none. A name of a part may have one, too: each
+ * step is the longest key that the tree has, and where it has none the next = ends the key.
+ */
+static const char *find_equal(const clod_node *node, const char *key)
+{
+    for (;;) {
+        size_t found = 0;
+        for (size_t end = strcspn(key, ".="); key[end] != '\0';
+             end += 1 + strcspn(key + end + 1, ".=")) {
+            found = clod_tree_step(node, key, end) != NULL ? end : found;
+        }
+        if (found == 0 || key[found] == '=') {
+            return strchr(key + found, '=');
+        }
+        node = clod_tree_step(node, key, found);
+        key += found + 1;
+    }
+}
+
 void clod_override_apply(clod_loader *loader, size_t number)
 {
     const char *text = loader->report->overrides[number];
     const clod_place place = {.source = (int)number + 1, .line = 1, .column = 1, .width = 1};
-    const char *equal = strchr(text, '=');
+    const char *equal = find_equal(loader->root, text);
     if (equal == NULL || equal == text) {
         fail(loader, place, "write %s=%s", "key.path", "value, for instance seed=2");
         return;

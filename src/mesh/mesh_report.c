@@ -11,6 +11,7 @@
 #include "base/given.h"
 #include "base/memory.h"
 #include "base/sort.h"
+#include "base/text.h"
 #include "mesh/mesh.h"
 #include "mesh/mesh_findings.h"
 #include "mesh/mesh_vertices.h"
@@ -22,6 +23,7 @@
 #define FINE_SHARE 0.1     ///< of the facets that may be smaller than a grain
 #define ROUGH_GRAIN 1e-3   ///< step of a float over the radius of a grain
 #define ROUGH_BOX 1e-5     ///< step of a float over the size of the box
+#define NAME_SHOWN 80      ///< bytes of the name of a part in a warning
 
 const clod_mesh_words CLOD_MESH_FINDINGS[CLOD_MESH_KINDS] = {
     [CLOD_MESH_WELDED] = {"welded_vertices", "vertex", "vertices",
@@ -257,6 +259,42 @@ static void doubt_facets(const clod_mesh *self, clod_mesh_report *report)
     }
 }
 
+/** Bytes of the longest start of a name, of whole characters, that a warning has room for. */
+static int shown(const char *name)
+{
+    size_t length = 0, next = 0;
+    while (name[length] != '\0' && next <= NAME_SHOWN) {
+        length = next;
+        next += clod_text_utf8(name + length, strlen(name + length));
+    }
+    return (int)length;
+}
+
+/** Warn of parts whose names are alike since some of their bytes were replaced. */
+static void doubt_names(const clod_mesh *self, clod_mesh_report *report)
+{
+    const clod_mesh_part *parts = self->view.parts;
+    for (size_t p = 0; p < self->view.part_count; p++) {
+        const char *name = parts[p].name;
+        size_t first = p, alike = 0;
+        for (size_t q = 0; strchr(name, '?') != NULL && q < self->view.part_count; q++) {
+            if (strcmp(parts[q].name, name) == 0) {
+                first = q < first ? q : first;
+                alike++;
+            }
+        }
+        if (alike > 1 && first == p) {
+            const int length = shown(name);
+            warn(report,
+                 "%zu parts are called %.*s%s: control characters and bytes that are not UTF-8 "
+                 "are shown as ?. A key of this name in a case means %s; rename them to tell "
+                 "them apart.",
+                 alike, length, name, name[length] != '\0' ? "..." : "",
+                 alike == 2 ? "both" : "all of them");
+        }
+    }
+}
+
 bool clod_mesh_examine(const clod_mesh *self, double grain_radius, clod_mesh_report *report,
                        clod_status *status)
 {
@@ -276,5 +314,6 @@ bool clod_mesh_examine(const clod_mesh *self, double grain_radius, clod_mesh_rep
         doubt_rounding(self, report);
     }
     doubt_facets(self, report);
+    doubt_names(self, report);
     return true;
 }

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/memory.h"
 #include "report/html.h"
 #include "report/shear_rows.h"
 #include "sim/case_diff.h"
@@ -136,8 +137,9 @@ bool clod_compare_tables_free(FILE *out, const clod_run_files *runs, size_t coun
 
 /** Keys that differ from those of the first run, each once, in the order in which they come. */
 typedef struct key_list {
-    char name[MOST_KEYS][128];
+    char *name[MOST_KEYS]; ///< owned
     size_t count;
+    bool lost; ///< there was no memory for one
 } key_list;
 
 static void note_key(void *context, const char *key, const char *there, const char *here)
@@ -151,7 +153,10 @@ static void note_key(void *context, const char *key, const char *there, const ch
         }
     }
     if (self->count < MOST_KEYS) {
-        snprintf(self->name[self->count++], sizeof self->name[0], "%s", key);
+        char *name = clod_memory_text(key);
+        self->lost = self->lost || name == NULL;
+        self->name[self->count] = name;
+        self->count += name != NULL ? 1 : 0;
     }
 }
 
@@ -200,6 +205,28 @@ static bool put_key(FILE *out, const char *key, const clod_run_files *runs, size
     return true;
 }
 
+/** A row for each key that differs. */
+static bool put_keys(FILE *out, const key_list *keys, const clod_run_files *runs, size_t count,
+                     clod_status *status)
+{
+    bool good = true;
+    fputs(
+        "<div class=\"scroll\"><table class=\"copied\" id=\"keys-table\"><thead><tr><th>key</th>",
+        out);
+    for (size_t k = 0; k < count; k++) {
+        clod_html_cell(out, "th", runs[k].name);
+    }
+    fputs("</tr></thead>\n<tbody>", out);
+    for (size_t k = 0; good && k < keys->count; k++) {
+        good = put_key(out, keys->name[k], runs, count, status);
+    }
+    fputs("</tbody></table></div>\n", out);
+    if (keys->count == MOST_KEYS) {
+        fprintf(out, "<p class=\"note\">Only the first %d keys are listed.</p>\n", MOST_KEYS);
+    }
+    return good;
+}
+
 bool clod_compare_tables_keys(FILE *out, const clod_run_files *runs, size_t count,
                               clod_status *status)
 {
@@ -209,23 +236,16 @@ bool clod_compare_tables_keys(FILE *out, const clod_run_files *runs, size_t coun
         good =
             clod_case_differences(runs[0].complete, runs[k].complete, note_key, &keys, status);
     }
-    if (keys.count == 0) {
+    if (good && keys.lost) {
+        good = clod_status_fail(status, CLOD_FAILED, "no memory to compare cases");
+    }
+    if (good && keys.count == 0) {
         fputs("<p>Nothing: the cases are the same.</p>\n", out);
-        return good;
+    } else if (good) {
+        good = put_keys(out, &keys, runs, count, status);
     }
-    fputs(
-        "<div class=\"scroll\"><table class=\"copied\" id=\"keys-table\"><thead><tr><th>key</th>",
-        out);
-    for (size_t k = 0; k < count; k++) {
-        clod_html_cell(out, "th", runs[k].name);
-    }
-    fputs("</tr></thead>\n<tbody>", out);
-    for (size_t k = 0; good && k < keys.count; k++) {
-        good = put_key(out, keys.name[k], runs, count, status);
-    }
-    fputs("</tbody></table></div>\n", out);
-    if (keys.count == MOST_KEYS) {
-        fprintf(out, "<p class=\"note\">Only the first %d keys are listed.</p>\n", MOST_KEYS);
+    for (size_t k = 0; k < keys.count; k++) {
+        clod_memory_free(keys.name[k]);
     }
     return good;
 }

@@ -94,8 +94,8 @@ bool clod_insertion_batch_no_room(const clod_insertion_batch *batch,
     if (thick < 2.0 * batch->largest) {
         return clod_status_fail(
             status, CLOD_USAGE,
-            "%s%s: is %.4g mm thick, thinner than a grain: the largest has %.4g mm, and grains "
-            "lie whole in it. Make it thicker, as a rule several grains",
+            "%s%s: is %.4g mm thick, no thicker than a grain with its clearance: the largest has "
+            "%.4g mm, and grains lie whole in it. Make it thicker, as a rule several grains",
             what->name, strncmp(what->name, "grains.", 7) == 0 ? ".region" : "", 1e3 * thick,
             2e3 * batch->largest / (1.0 + CLOD_INSERTION_CLEARANCE));
     }

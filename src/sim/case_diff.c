@@ -6,56 +6,76 @@
 #include "base/memory.h"
 
 #define DEPTH 24
-#define KEY 512
 
 /** A line of a case that has a value, and its whole key. */
 typedef struct line {
-    char key[KEY];
-    char *value; ///< owned with the text
+    char *key;         ///< owned
+    const char *value; ///< in the text
 } line;
 
-/** Keys of the sections that are open, by the column in which they begin. */
+/** A section or a list item that is open. */
+typedef struct level {
+    size_t column;    ///< in which it begins
+    const char *name; ///< key, in the text; NULL: a list item
+    int item;         ///< number of the list item at this column
+} level;
+
+/** Sections that are open, the outermost first. */
 typedef struct outline {
     int depth;
-    size_t column[DEPTH];
-    char name[DEPTH][64];
-    int item[DEPTH]; ///< number of the list item at this column
+    level levels[DEPTH];
 } outline;
 
 static void enter(outline *self, size_t column, const char *name)
 {
-    while (self->depth > 0 && self->column[self->depth - 1] > column) {
+    while (self->depth > 0 && self->levels[self->depth - 1].column > column) {
         self->depth--;
     }
-    const bool beside = self->depth > 0 && self->column[self->depth - 1] == column;
+    const bool beside = self->depth > 0 && self->levels[self->depth - 1].column == column;
     if (!beside && self->depth < DEPTH) {
-        self->column[self->depth] = column;
-        self->item[self->depth] = -1;
-        self->depth++;
+        self->levels[self->depth++] = (level){.column = column, .item = -1};
     }
-    if (name != NULL) {
-        snprintf(self->name[self->depth - 1], sizeof self->name[0], "%s", name);
-    } else { // a list item
-        const int number = ++self->item[self->depth - 1];
-        snprintf(self->name[self->depth - 1], sizeof self->name[0], "%d", number);
-    }
+    level *last = &self->levels[self->depth - 1];
+    last->name = name;
+    last->item += name == NULL ? 1 : 0;
 }
 
-static void join(const outline *self, char key[KEY])
+/** The whole key, with points between its names; owned. NULL without memory. */
+static char *join(const outline *self)
 {
-    size_t used = 0;
-    key[0] = '\0';
-    for (int d = 0; d < self->depth && used < KEY; d++) {
-        used +=
-            (size_t)snprintf(key + used, KEY - used, "%s%s", d > 0 ? "." : "", self->name[d]);
+    size_t size = 1;
+    for (int d = 0; d < self->depth; d++) {
+        const char *name = self->levels[d].name;
+        size += 1 + (name != NULL ? strlen(name) : 3 * sizeof(int));
     }
+    char *key = clod_memory_alloc(size, 1);
+    size_t used = 0;
+    for (int d = 0; key != NULL && d < self->depth; d++) {
+        const level *one = &self->levels[d];
+        const char *point = d > 0 ? "." : "";
+        const int length = one->name != NULL
+                               ? snprintf(key + used, size - used, "%s%s", point, one->name)
+                               : snprintf(key + used, size - used, "%s%d", point, one->item);
+        used += (size_t)length;
+    }
+    return key;
 }
 
-/** Split a text, which is cut up, into lines; returns how many. */
-static size_t read_lines(char *text, line *lines)
+/** The colon behind a key, which may be in quotes as clod_case_echo writes them; NULL: none. */
+static char *find_colon(char *key)
+{
+    if (*key == '"') {
+        for (key++; *key != '"' && *key != '\0'; key++) {
+            key += *key == '\\' && key[1] != '\0' ? 1 : 0;
+        }
+    }
+    return strchr(key, ':');
+}
+
+/** Split a text, which is cut up, into lines; *count: how many. False without memory. */
+static bool read_lines(char *text, line *lines, size_t *count)
 {
     outline at = {0};
-    size_t count = 0;
     char *rest = text;
     for (char *row; (row = strsep(&rest, "\n")) != NULL;) {
         size_t column = strspn(row, " ");
@@ -63,19 +83,21 @@ static size_t read_lines(char *text, line *lines)
             enter(&at, column, NULL);
             column += 2;
         }
-        char *colon = strchr(row + column, ':');
+        char *colon = find_colon(row + column);
         if (row[column] == '#' || colon == NULL) {
             continue;
         }
-        char *value = colon + 1 + strspn(colon + 1, " ");
+        const char *value = colon + 1 + strspn(colon + 1, " ");
         *colon = '\0';
         enter(&at, column, row + column);
         if (*value != '\0') { // else it is the name of a section
-            join(&at, lines[count].key);
-            lines[count++].value = value;
+            lines[*count] = (line){join(&at), value};
+            if (lines[(*count)++].key == NULL) {
+                return false;
+            }
         }
     }
-    return count;
+    return true;
 }
 
 static const line *find(const line *lines, size_t count, const char *key)
@@ -97,19 +119,18 @@ static size_t count_lines(const char *text)
     return count;
 }
 
-static void compare(char *texts[2], line *lines[2], clod_case_difference visit, void *context)
+static void compare(line *const lines[2], const size_t counts[2], clod_case_difference visit,
+                    void *context)
 {
-    const size_t there = read_lines(texts[0], lines[0]);
-    const size_t here = read_lines(texts[1], lines[1]);
-    for (size_t n = 0; n < there; n++) {
-        const line *other = find(lines[1], here, lines[0][n].key);
+    for (size_t n = 0; n < counts[0]; n++) {
+        const line *other = find(lines[1], counts[1], lines[0][n].key);
         if (other == NULL || strcmp(other->value, lines[0][n].value) != 0) {
             visit(context, lines[0][n].key, lines[0][n].value,
                   other != NULL ? other->value : NULL);
         }
     }
-    for (size_t n = 0; n < here; n++) {
-        if (find(lines[0], there, lines[1][n].key) == NULL) {
+    for (size_t n = 0; n < counts[1]; n++) {
+        if (find(lines[0], counts[0], lines[1][n].key) == NULL) {
             visit(context, lines[1][n].key, NULL, lines[1][n].value);
         }
     }
@@ -121,12 +142,19 @@ bool clod_case_differences(const char *there, const char *here, clod_case_differ
     char *texts[2] = {clod_memory_text(there), clod_memory_text(here)};
     line *lines[2] = {clod_memory_alloc(count_lines(there), sizeof(line)),
                       clod_memory_alloc(count_lines(here), sizeof(line))};
-    const bool room =
-        texts[0] != NULL && texts[1] != NULL && lines[0] != NULL && lines[1] != NULL;
+    size_t counts[2] = {0, 0};
+    bool room = true;
+    for (int t = 0; t < 2; t++) {
+        room = room && texts[t] != NULL && lines[t] != NULL &&
+               read_lines(texts[t], lines[t], &counts[t]);
+    }
     if (room) {
-        compare(texts, lines, visit, context);
+        compare(lines, counts, visit, context);
     }
     for (int t = 0; t < 2; t++) {
+        for (size_t n = 0; n < counts[t]; n++) {
+            clod_memory_free(lines[t][n].key);
+        }
         clod_memory_free(texts[t]);
         clod_memory_free(lines[t]);
     }

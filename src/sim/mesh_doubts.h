@@ -7,7 +7,7 @@
 #include "clod/case.h"
 #include "clod/status.h"
 
-#define CLOD_MESH_DOUBTS_TEXT 320
+#define CLOD_MESH_DOUBTS_TEXT 512
 
 /** Told of each mesh: something is likely wrong, or only worth a look. */
 typedef void (*clod_mesh_doubts_tell)(void *context, bool wrong, const char *text);

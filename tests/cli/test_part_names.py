@@ -1,7 +1,9 @@
 """Names of parts on the command line: those that several shapes of a wall share (tests/support/same_names.py)."""
 
+import html
 import json
 import os
+import re
 import shutil
 import sys
 
@@ -115,6 +117,53 @@ class PartNames(clod.Case):
         self.assertIn(b'"Cube.001":\n', clod.read(self.path("run/case-complete.yaml")))
         self.assertIn(b"speed: -3 m/s\n", clod.read(self.path("run/case-complete.yaml")))
 
+    def test_a_setting_of_a_part_with_equals_signs(self):
+        """The key ends at the = behind the longest name that the case has, or at the first; the part may lack the key."""
+        names = ["a", "a=b", "a=b.c=d", "x=y"]
+        text = same_names.CASE
+        for file, two in (("one.obj", names[:2]), ("two.obj", names[2:])):
+            text = text.replace(f"file: {file},", f"""file: {file}, parts: {{"{two[0]}": {{}}, "{two[1]}": {{}}}},""")
+        same_names.write(self.path, text)
+        for file, (left, right) in (("one.obj", names[:2]), ("two.obj", names[2:])):
+            with open(self.path(file), "w") as out:
+                out.write(same_names.PLATE.replace("o left", f"o {left}").replace("o right", f"o {right}"))
+        places = [f"walls.plates.shapes.{k // 2}.mesh.parts.{name}.speed" for k, name in enumerate(names)]
+        settings = [f"--set={place}={k + 3} m/s" for k, place in enumerate(places)] + ["--set=title=a.b=c=d"]
+        done = clod.run("run", "case.yaml", "-o", "run", "--fresh", *settings, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        complete = clod.read(self.path("run/case-complete.yaml")).decode()
+        self.assertEqual(re.findall(r'^ *"(.*)":\n(?: *\w+: .*\n)*? *speed: (.*) m/s$', complete, re.M),
+                         [(name, str(k + 3)) for k, name in enumerate(names)])
+        self.assertIn('\ntitle: "a.b=c=d"\n', complete)
+        done = clod.run("check", "case.yaml", "--set", "walls.plates.shapes.0.mesh.parts.e=f.speed=1 m/s", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("walls.plates.shapes.0.mesh.parts.e", done.stderr)
+
+    def test_what_differs(self):
+        """`compare` and --from tell parts apart by their whole names, with colons and alike in 100 characters."""
+        names = ["Hood: left", "Hood: right", 2 * LONG + "1", 2 * LONG + "2"]
+        for run, speeds in (("run1", (1, 5, 2, 3)), ("run2", (2, 6, 2, 4))):
+            parts = [f'"{name}": {{speed: {speed} m/s}}' for name, speed in zip(names, speeds)]
+            text = same_names.CASE
+            for file, two in (("one.obj", parts[:2]), ("two.obj", parts[2:])):
+                text = text.replace(f"file: {file},", f"file: {file}, parts: {{{', '.join(two)}}},")
+            same_names.write(self.path, text)
+            for file, (left, right) in (("one.obj", names[:2]), ("two.obj", names[2:])):
+                with open(self.path(file), "w") as out:
+                    out.write(same_names.PLATE.replace("o left", f"o {left}").replace("o right", f"o {right}"))
+            origin = ["--from", "run1"] if run == "run2" else []
+            done = clod.run("run", "case.yaml", "-o", run, *origin, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        differ = {f'walls.plates.shapes.0.mesh.parts."{names[0]}".speed': ("1 m/s", "2 m/s"),
+                  f'walls.plates.shapes.0.mesh.parts."{names[1]}".speed': ("5 m/s", "6 m/s"),
+                  f'walls.plates.shapes.1.mesh.parts."{names[3]}".speed': ("3 m/s", "4 m/s")}
+        told = re.findall(r"^ +(walls.*): (.*) there, (.*) here$", done.stderr, re.M)
+        self.assertEqual({key: (there, here) for key, there, here in told}, differ)
+        self.assertEqual(clod.run("compare", "run1", "run2", "-o", "c.html", cwd=self.folder).returncode, 0)
+        page = clod.read(self.path("c.html")).decode()
+        rows = re.findall(r"<tr><th>(walls[^<]*)</th><td>([^<]*)</td><td>([^<]*)</td></tr>", page)
+        self.assertEqual({html.unescape(key): (there, here) for key, there, here in rows}, differ)
+
     def test_names_that_are_no_text(self):
         """Control characters and bytes that are no UTF-8 reach no terminal; a name that comes again goes on."""
         facet = b"v 0 0 0\nv %d 0 0\nv 0 1 0\nf -3 -2 -1\n"
@@ -135,6 +184,27 @@ class PartNames(clod.Case):
         self.assertEqual(done.returncode, 2)
         self.assertIn(".parts.no?: the mesh ", done.stderr)
         self.assertIn("its parts are " + ", ".join(told), done.stderr)
+
+    def test_names_that_become_alike(self):
+        """Two or three names of one reading: a warning each, also of a long one, whose cut splits no character."""
+        long = "é".encode() * 101
+        names = [b"a\xff", b"a\xfe", b"b\x01", b"b\x02", b"b\xff", b"c\xff", b"d?", long + b"\xff", long + b"\x01"]
+        with open(self.path("one.obj"), "wb") as file:
+            for k, name in enumerate(names):
+                file.write(b"o %s\nv 0 0 %d\nv 100 0 %d\nv 0 100 %d\nf -3 -2 -1\n" % (name, k, k, k))
+        told = clod.run("mesh", "one.obj", "--unit=mm", "--json", cwd=self.folder)
+        warnings = json.loads(told.stdout)["warnings"]
+        shown = [re.match("([0-9]) parts are called ([^:]*): .* means (both|all of them);", text) for text in warnings]
+        self.assertEqual([one.groups() for one in shown],
+                         [("2", "a?", "both"), ("3", "b?", "all of them"), ("2", 40 * "é" + "...", "both")])
+        case = same_names.CASE.replace("file: one.obj,", 'file: one.obj, parts: {"a?": {speed: 1 m/s}},')
+        for name, text in (("case.yaml", case), ("two.obj", same_names.PLATE), ("grains.csv", "x [mm],y [mm],z [mm],radius [mm]\n50,50,50,4\n")):
+            with open(self.path(name), "w") as file:
+                file.write(text)
+        told = clod.run("check", "case.yaml", "--json", cwd=self.folder)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        told = [text for text in json.loads(told.stdout)["warnings"] if "parts are called" in text]
+        self.assertEqual(told, [f"walls.plates: one.obj: {text}" for text in warnings])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 // Random insertion: every grain in its place by brute force, and the same bits for a seed.
 
+#include <stdio.h>
 #include <string.h>
 
 #include "geometry/wall_gap.h"
@@ -334,26 +335,34 @@ static void column_without_room_is_refused(void **state)
     double height = 0.0;
     assert_false(clod_insert_annulus_column(&s.state, &s.what, &height, &s.status));
     // grains of 60 mm between circles that are 50 mm apart
-    assert_non_null(
-        strstr(s.status.text, "is 50 mm thick, thinner than a grain: the largest has 60 mm"));
+    assert_non_null(strstr(
+        s.status.text,
+        "is 50 mm thick, no thicker than a grain with its clearance: the largest has 60 mm"));
     clod_state_fini(&s.state);
 }
 
-/** A slab of 19.9 mm takes no grain of 20 mm, one of 20.1 mm does; a face 19 mm wide takes none. */
-static void a_region_thinner_than_a_grain_is_named(void **state)
+/**
+ * A slab of 20.1 mm takes grains of 20 mm. One of 19.9 mm takes none, nor does one of 20 mm, where a
+ * grain would touch both faces: places are chosen for grains larger by their clearance of 1e-6.
+ */
+static void a_region_no_thicker_than_a_grain_is_named(void **state)
 {
     (void)state;
-    for (int thick = 0; thick < 2; thick++) {
+    const double thick[] = {19.9, 20.0, 20.1};
+    for (int t = 0; t < 3; t++) {
         scene s;
         scene_init(&s, 3, 10e-3, 10e-3);
         s.what.name = "grains.0";
-        scene_box(&s, 0.1, 0.1, thick ? 20.1e-3 : 19.9e-3);
-        assert_int_equal(clod_insert_region(&s.state, &s.what, &s.status), thick);
-        if (!thick) {
-            assert_string_equal(
-                s.status.text,
-                "grains.0.region: is 19.9 mm thick, thinner than a grain: the largest has 20 mm, and "
-                "grains lie whole in it. Make it thicker, as a rule several grains");
+        scene_box(&s, 0.1, 0.1, 1e-3 * thick[t]);
+        assert_int_equal(clod_insert_region(&s.state, &s.what, &s.status), t == 2);
+        if (t < 2) {
+            char told[256];
+            snprintf(told, sizeof told,
+                     "grains.0.region: is %g mm thick, no thicker than a grain with its "
+                     "clearance: the largest has 20 mm, and grains lie whole in it. Make it "
+                     "thicker, as a rule several grains",
+                     thick[t]);
+            assert_string_equal(s.status.text, told);
         }
         clod_state_fini(&s.state);
     }
@@ -374,7 +383,7 @@ int main(void)
         cmocka_unit_test(very_different_sizes_fit),
         cmocka_unit_test(column_rises_until_all_grains_are_in),
         cmocka_unit_test(column_without_room_is_refused),
-        cmocka_unit_test(a_region_thinner_than_a_grain_is_named),
+        cmocka_unit_test(a_region_no_thicker_than_a_grain_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -65,12 +65,48 @@ static void what_is_only_in_one_is_told(void **state)
     expect("a:\n  b: 1\nc: 2\n", "a:\n  b: 1\n  d: 3\n", "c: 2 | -\na.d: - | 3\n");
 }
 
+#define ONE(a, b)                                                                              \
+    "parts:\n  \"Hood: left\":\n    speed: " a "\n  \"Hood: right\":\n    speed: " b "\n"
+#define TWO(a, b)                                                                              \
+    "parts:\n  \"a \\\"b\\\": c\\\\\":\n    speed: " a                                         \
+    "\n  \"a \\\"b\\\": d\":\n    speed: " b "\n"
+
+static void names_in_quotes_are_whole(void **state)
+{
+    (void)state;
+    expect(ONE("1", "5"), ONE("2", "6"),
+           "parts.\"Hood: left\".speed: 1 | 2\nparts.\"Hood: right\".speed: 5 | 6\n");
+    expect(ONE("1", "5"), ONE("1", "6"), "parts.\"Hood: right\".speed: 5 | 6\n");
+    expect(TWO("1", "5"), TWO("2", "5"), "parts.\"a \\\"b\\\": c\\\\\".speed: 1 | 2\n");
+    expect("\"a: 1\n\"b\\", "\"a: 2\n\"c\\", ""); // a quote that does not end: no key
+}
+
+/** A name of 255 bytes, of which each takes two in quotes, and two that differ at the end. */
+static void names_are_not_cut(void **state)
+{
+    (void)state;
+    char name[511], texts[2][2400], differences[700];
+    for (size_t k = 0; k < sizeof name - 1; k++) {
+        name[k] = k % 2 == 0 ? '\\' : '"';
+    }
+    name[sizeof name - 1] = '\0';
+    for (int t = 0; t < 2; t++) {
+        snprintf(texts[t], sizeof texts[t],
+                 "parts:\n  \"%s1\":\n    speed: 1\n  \"%s2\":\n    speed: %d\n", name, name,
+                 5 + t);
+    }
+    snprintf(differences, sizeof differences, "parts.\"%s2\".speed: 5 | 6\n", name);
+    expect(texts[0], texts[1], differences);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(keys_are_told_with_their_path),
         cmocka_unit_test(list_items_are_numbered),
         cmocka_unit_test(what_is_only_in_one_is_told),
+        cmocka_unit_test(names_in_quotes_are_whole),
+        cmocka_unit_test(names_are_not_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
