@@ -31,6 +31,21 @@ char *clod_text_close(clod_text *self);
 /** Length of the valid UTF-8 sequence at `text` with `left` bytes; 0: there is none. Threads: pure. */
 size_t clod_text_utf8(const char *text, size_t left);
 
+/** Characters of a UTF-8 text. Threads: pure. */
+size_t clod_text_characters(const char *text);
+
+/**
+ * Copy a UTF-8 text, or of one that has no room its beginning, three points and most of its end, which
+ * tells names apart. No character is cut.
+ *
+ * @param to      [size] [out]; size of at least 16
+ * @param size    bytes there are, with the zero at the end
+ * @param most    characters that there is room for, at least 8
+ * @param from    the text, of which `length` bytes are copied
+ * Threads  pure.   Test  tests/base/test_text.c
+ */
+void clod_text_fit(char *to, size_t size, size_t most, const char *from, size_t length);
+
 /**
  * Put ? in place of each byte of a foreign text that would spoil a terminal or is no text: control
  * characters (of Unicode too, U+0080 to U+009F), and what is not UTF-8.

@@ -2,11 +2,15 @@
 
 #include <string.h>
 
+#include "base/text.h"
+#include "report/figure.h"
 #include "report/html.h"
 #include "report/shear_rows.h"
 #include "sim/case_diff.h"
 
+#define VALUE 128 ///< bytes of one that are shown
 #define MOST_KEYS 200
+#define KEY (CLOD_FIGURE_NAME + 128) ///< bytes of one: there can be the name of a part in it
 
 static void begin_table(FILE *out)
 {
@@ -136,7 +140,7 @@ bool clod_compare_tables_free(FILE *out, const clod_run_files *runs, size_t coun
 
 /** Keys that differ from those of the first run, each once, in the order in which they come. */
 typedef struct key_list {
-    char name[MOST_KEYS][128];
+    char name[MOST_KEYS][KEY];
     size_t count;
 } key_list;
 
@@ -151,24 +155,31 @@ static void note_key(void *context, const char *key, const char *there, const ch
         }
     }
     if (self->count < MOST_KEYS) {
-        snprintf(self->name[self->count++], sizeof self->name[0], "%s", key);
+        clod_text_fit(self->name[self->count++], KEY, KEY, key, strlen(key));
     }
 }
 
 /** The value of a key in the case of a run. */
 typedef struct lookup {
     const char *key;
-    char first[128], value[128]; ///< in the first run and in this one
+    char first[VALUE], value[VALUE]; ///< in the first run and in this one
     bool differs;
 } lookup;
+
+/** A value, or a stroke for none. */
+static void copy_value(char to[VALUE], const char *value)
+{
+    const char *from = value != NULL ? value : "-";
+    clod_text_fit(to, VALUE, VALUE, from, strlen(from));
+}
 
 static void look_up(void *context, const char *key, const char *there, const char *here)
 {
     lookup *self = context;
     if (strcmp(self->key, key) == 0) {
         self->differs = true;
-        snprintf(self->first, sizeof self->first, "%s", there != NULL ? there : "-");
-        snprintf(self->value, sizeof self->value, "%s", here != NULL ? here : "-");
+        copy_value(self->first, there);
+        copy_value(self->value, here);
     }
 }
 
@@ -176,7 +187,7 @@ static void look_up(void *context, const char *key, const char *there, const cha
 static bool put_key(FILE *out, const char *key, const clod_run_files *runs, size_t count,
                     clod_status *status)
 {
-    char first[128] = "";
+    char first[VALUE] = "";
     fputs("<tr>", out);
     clod_html_cell(out, "th", key);
     for (int pass = 0; pass < 2; pass++) { // the first run's value is told by those that differ

@@ -87,6 +87,33 @@ static void what_is_no_text_is_replaced(void **state)
     }
 }
 
+/** Whole where it has room; else of 20 bytes or 20 characters a third and the end, and no half character. */
+static void a_text_that_is_too_long_keeps_its_end(void **state)
+{
+    (void)state;
+#define A "\xC3\xA4"
+#define E "\xE2\x82\xAC"
+    static const struct {
+        size_t size, most;
+        const char *from, *to;
+    } CASES[] = {
+        {21, 99, "", ""},
+        {21, 99, "abcdefghijklmnopqrst", "abcdefghijklmnopqrst"},
+        {21, 99, "abcdefghijklmnopqrstu", "abcdef...klmnopqrstu"},
+        {99, 20, "abcdefghijklmnopqrstu", "abcdef...klmnopqrstu"},
+        {21, 99, A A A A A A A A A A, A A A A A A A A A A},
+        {21, 99, "a" A A A A A A A A A A, "a" A A "..." A A A A A A}, // 5 and 12 bytes
+        {99, 8, A A A A A A A A "a", A A "..." A A "a"},
+        {21, 99, E E E E E E E, E E "..." E E E},
+    };
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        char text[100];
+        clod_text_fit(text, CASES[k].size, CASES[k].most, CASES[k].from, strlen(CASES[k].from));
+        assert_string_equal(text, CASES[k].to);
+    }
+    assert_int_equal(clod_text_characters("a" A E), 3);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -94,6 +121,7 @@ int main(void)
         cmocka_unit_test(a_long_text),
         cmocka_unit_test(every_length),
         cmocka_unit_test(what_is_no_text_is_replaced),
+        cmocka_unit_test(a_text_that_is_too_long_keeps_its_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
