@@ -135,6 +135,34 @@ void clod_text_fit(char *to, size_t size, size_t most, const char *from, size_t 
     to[head + points + length - tail] = '\0';
 }
 
+#define MORE 32 ///< bytes that are kept for " and N more"
+
+clod_text_names clod_text_names_begin(char *text, size_t size)
+{
+    text[0] = '\0';
+    return (clod_text_names){.text = text, .size = size};
+}
+
+void clod_text_names_add(clod_text_names *self, const char *name)
+{
+    const char *comma = self->used > 0 ? ", " : "";
+    const size_t length = strlen(comma) + strlen(name);
+    if (self->more > 0 || length >= self->size - MORE - self->used) {
+        self->more++;
+        return;
+    }
+    snprintf(self->text + self->used, self->size - self->used, "%s%s", comma, name);
+    self->used += length;
+}
+
+void clod_text_names_end(clod_text_names *self)
+{
+    if (self->more > 0) {
+        snprintf(self->text + self->used, self->size - self->used, "%s%zu more",
+                 self->used > 0 ? " and " : "", self->more);
+    }
+}
+
 void clod_text_printable(char *text)
 {
     for (size_t left = strlen(text); left > 0;) {

@@ -114,6 +114,31 @@ static void a_text_that_is_too_long_keeps_its_end(void **state)
     assert_int_equal(clod_text_characters("a" A E), 3);
 }
 
+static void names_that_have_no_room_are_counted(void **state)
+{
+    (void)state;
+    static const char *const NAMES[] = {"one", "a name of 18 bytes", "two", "three"};
+    static const struct {
+        size_t size, count;
+        const char *text;
+    } CASES[] = {
+        {64, 0, ""},
+        {64, 1, "one"},
+        {64, 4, "one, a name of 18 bytes, two and 1 more"}, // 28 bytes, 35 with ", three"
+        {56, 4, "one, a name of 18 bytes and 2 more"},      // 23 bytes and the zero
+        {55, 4, "one and 3 more"},
+        {35, 4, "4 more"}};
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        char text[64];
+        clod_text_names names = clod_text_names_begin(text, CASES[k].size);
+        for (size_t n = 0; n < CASES[k].count; n++) {
+            clod_text_names_add(&names, NAMES[n]);
+        }
+        clod_text_names_end(&names);
+        assert_string_equal(text, CASES[k].text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -122,6 +147,7 @@ int main(void)
         cmocka_unit_test(every_length),
         cmocka_unit_test(what_is_no_text_is_replaced),
         cmocka_unit_test(a_text_that_is_too_long_keeps_its_end),
+        cmocka_unit_test(names_that_have_no_room_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
