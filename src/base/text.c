@@ -84,6 +84,85 @@ size_t clod_text_utf8(const char *text, size_t left)
     return overlong || surrogate || too_large ? 0 : length;
 }
 
+static bool is_inside(char byte)
+{
+    return ((unsigned char)byte & 0xC0) == 0x80;
+}
+
+static size_t count(const char *text, size_t length)
+{
+    size_t characters = 0;
+    for (size_t i = 0; i < length; i++) {
+        characters += !is_inside(text[i]);
+    }
+    return characters;
+}
+
+size_t clod_text_characters(const char *text)
+{
+    return count(text, strlen(text));
+}
+
+void clod_text_fit(char *to, size_t size, size_t most, const char *from, size_t length)
+{
+    static const char POINTS[] = "...";
+    const size_t points = sizeof POINTS - 1;
+    if (length < size && count(from, length) <= most) {
+        memcpy(to, from, length);
+        to[length] = '\0';
+        return;
+    }
+    size_t head = 0; // bytes of the beginning: whole characters of a third of the room
+    for (size_t next = 1, used = 0; next <= (size - 1) / 3 && used < most / 3; next++) {
+        if (next == length || !is_inside(from[next])) {
+            head = next;
+            used++;
+        }
+    }
+    const size_t bytes = size - 1 - head - points;
+    const size_t characters = most - count(from, head) - points;
+    size_t tail = length; // where the end begins
+    for (size_t at = length, used = 0; at > head && length - at < bytes && used < characters;) {
+        at--;
+        if (!is_inside(from[at])) {
+            tail = at;
+            used++;
+        }
+    }
+    memcpy(to, from, head);
+    memcpy(to + head, POINTS, points);
+    memcpy(to + head + points, from + tail, length - tail);
+    to[head + points + length - tail] = '\0';
+}
+
+#define MORE 32 ///< bytes that are kept for " and N more"
+
+clod_text_names clod_text_names_begin(char *text, size_t size)
+{
+    text[0] = '\0';
+    return (clod_text_names){.text = text, .size = size};
+}
+
+void clod_text_names_add(clod_text_names *self, const char *name)
+{
+    const char *comma = self->used > 0 ? ", " : "";
+    const size_t length = strlen(comma) + strlen(name);
+    if (self->more > 0 || length >= self->size - MORE - self->used) {
+        self->more++;
+        return;
+    }
+    snprintf(self->text + self->used, self->size - self->used, "%s%s", comma, name);
+    self->used += length;
+}
+
+void clod_text_names_end(clod_text_names *self)
+{
+    if (self->more > 0) {
+        snprintf(self->text + self->used, self->size - self->used, "%s%zu more",
+                 self->used > 0 ? " and " : "", self->more);
+    }
+}
+
 void clod_text_printable(char *text)
 {
     for (size_t left = strlen(text); left > 0;) {

@@ -125,6 +125,29 @@ static size_t byte_of_column(const char *line, size_t length, int column)
     return at;
 }
 
+/** Where the character begins of which a byte is one. */
+static size_t begin_of(const char *line, size_t length, size_t at)
+{
+    while (at > 0 && at < length && ((unsigned char)line[at] & 0xC0) == 0x80) {
+        at--;
+    }
+    return at;
+}
+
+/** A piece of a line, with ? in place of what would spoil a terminal. */
+static void put_line(FILE *out, const char *line, size_t length)
+{
+    for (size_t i = 0; i < length;) {
+        const size_t size = clod_text_utf8(line + i, length - i);
+        if (size == 0 || ((unsigned char)line[i] < ' ' && line[i] != '\t')) {
+            fputc('?', out);
+        } else {
+            fwrite(line + i, 1, size, out);
+        }
+        i += size == 0 ? 1 : size;
+    }
+}
+
 /** The source line and the caret under it, as two lines. */
 static void print_source(FILE *out, const clod_report *self, clod_place place)
 {
@@ -135,13 +158,11 @@ static void print_source(FILE *out, const clod_report *self, clod_place place)
     }
     const size_t caret = byte_of_column(line, length, place.column);
     const size_t stop = byte_of_column(line, length, place.column + place.width);
-    const size_t shown = caret < WINDOW ? 0 : caret - WINDOW / 2;
-    const size_t end = length - shown < WINDOW ? length : shown + WINDOW;
+    const size_t shown = begin_of(line, length, caret < WINDOW ? 0 : caret - WINDOW / 2);
+    const size_t end =
+        length - shown < WINDOW ? length : begin_of(line, length, shown + WINDOW);
     fputs("  ", out);
-    for (size_t i = shown; i < end; i++) {
-        const bool control = (unsigned char)line[i] < ' ' && line[i] != '\t';
-        fputc(control ? '?' : line[i], out);
-    }
+    put_line(out, line + shown, end - shown);
     fputs("\n  ", out);
     for (size_t i = shown; i < caret; i++) {
         if (((unsigned char)line[i] & 0xC0) != 0x80) {

@@ -9,6 +9,7 @@
 #include "base/input.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "report/html.h"
 #include "report/shear_rows.h"
 #include "report/table.h"
@@ -224,10 +225,12 @@ static void add_runs(clod_figure *figure, const clod_table *runs, const char *pa
 static void put_figure(clod_sheet *sheet, const clod_table *runs, const json_t *target,
                        const char *parameter, const json_t *about)
 {
-    char title[160];
+    char title[CLOD_FIGURE_TITLE], of[CLOD_FIGURE_NAME], over[64];
     clod_figure figure;
     const char *name = name_of(target);
-    snprintf(title, sizeof title, "%.90s over %.50s", name, parameter);
+    clod_text_fit(of, sizeof of, sizeof of, name, strlen(name));
+    clod_text_fit(over, sizeof over, sizeof over, parameter, strlen(parameter));
+    snprintf(title, sizeof title, "%s over %s", of, over);
     clod_figure_init(&figure, "target", title);
     const char *unit = json_string_value(json_object_get(about, "unit"));
     const char *measured_in = json_string_value(json_object_get(target, "unit"));

@@ -3,10 +3,12 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "report/html.h"
 #include "report/shear_rows.h"
 #include "sim/case_diff.h"
 
+#define VALUE 128 ///< bytes of one that are shown
 #define MOST_KEYS 200
 
 static void begin_table(FILE *out)
@@ -163,17 +165,24 @@ static void note_key(void *context, const char *key, const char *there, const ch
 /** The value of a key in the case of a run. */
 typedef struct lookup {
     const char *key;
-    char first[128], value[128]; ///< in the first run and in this one
+    char first[VALUE], value[VALUE]; ///< in the first run and in this one
     bool differs;
 } lookup;
+
+/** A value, or a stroke for none. */
+static void copy_value(char to[VALUE], const char *value)
+{
+    const char *from = value != NULL ? value : "-";
+    clod_text_fit(to, VALUE, VALUE, from, strlen(from));
+}
 
 static void look_up(void *context, const char *key, const char *there, const char *here)
 {
     lookup *self = context;
     if (strcmp(self->key, key) == 0) {
         self->differs = true;
-        snprintf(self->first, sizeof self->first, "%s", there != NULL ? there : "-");
-        snprintf(self->value, sizeof self->value, "%s", here != NULL ? here : "-");
+        copy_value(self->first, there);
+        copy_value(self->value, here);
     }
 }
 
@@ -181,7 +190,7 @@ static void look_up(void *context, const char *key, const char *there, const cha
 static bool put_key(FILE *out, const char *key, const clod_run_files *runs, size_t count,
                     clod_status *status)
 {
-    char first[128] = "";
+    char first[VALUE] = "";
     fputs("<tr>", out);
     clod_html_cell(out, "th", key);
     for (int pass = 0; pass < 2; pass++) { // the first run's value is told by those that differ

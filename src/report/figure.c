@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 
 #define ARC 91 ///< points of half a circle
 
@@ -12,6 +13,9 @@ const char *const CLOD_FIGURE_COLOUR[CLOD_FIGURE_COLOURS] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
 
 const char *const CLOD_FIGURE_GREY_COLOUR = "#6b7078";
+
+/** Copy a text into an array, the end of one that is too long. */
+#define COPY(to, from) clod_text_fit(to, sizeof(to), sizeof(to), from, strlen(from))
 
 void clod_figure_init(clod_figure *self, const char *name, const char *title)
 {
@@ -24,13 +28,13 @@ void clod_figure_init(clod_figure *self, const char *name, const char *title)
             *at = '-';
         }
     }
-    snprintf(self->title, sizeof self->title, "%s", title);
+    COPY(self->title, title);
 }
 
 void clod_figure_axis_set(clod_figure_axis *self, const char *text, const char *unit,
                           double factor)
 {
-    snprintf(self->text, sizeof self->text, "%s", text);
+    COPY(self->text, text);
     snprintf(self->unit, sizeof self->unit, "%s", strcmp(unit, "1") == 0 ? "" : unit);
     self->factor = factor;
 }
@@ -94,9 +98,9 @@ void clod_figure_add(clod_figure *self, const char *name, clod_figure_style styl
         curve->colour = number % CLOD_FIGURE_COLOURS;
         curve->round = number / CLOD_FIGURE_COLOURS % CLOD_FIGURE_ROUNDS;
     }
-    snprintf(curve->name, sizeof curve->name, "%s", name);
+    COPY(curve->name, name);
     if (number >= CLOD_FIGURE_COLOURS * CLOD_FIGURE_ROUNDS && self->again[0] == '\0') {
-        snprintf(self->again, sizeof self->again, "%s", name);
+        COPY(self->again, name);
     }
     const bool thin = count > CLOD_FIGURE_MOST;
     curve->count = thin ? choose_points(count, y, kept) : count;
@@ -135,7 +139,9 @@ const char *clod_figure_dashes(const clod_figure_curve *curve)
 bool clod_figure_alike(const clod_figure *self, char text[256])
 {
     if (self->again[0] != '\0') {
-        snprintf(text, 256, "From %.50s on, curves look like earlier ones.", self->again);
+        char again[64];
+        COPY(again, self->again);
+        snprintf(text, 256, "From %s on, curves look like earlier ones.", again);
     }
     return self->again[0] != '\0';
 }

@@ -8,6 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "state/wear.h"
+
 /** Colours that people with any colour vision tell apart (Okabe and Ito 2008), but yellow. */
 #define CLOD_FIGURE_COLOURS 7
 extern const char *const CLOD_FIGURE_COLOUR[CLOD_FIGURE_COLOURS];
@@ -16,6 +18,10 @@ extern const char *const CLOD_FIGURE_GREY_COLOUR;
 
 /** Rounds of the colours: lines of one style have other dashes, points other marks in each of them. */
 #define CLOD_FIGURE_ROUNDS 4
+
+/** Bytes of a name: that of any surface, and what a column measures of it. */
+#define CLOD_FIGURE_NAME (CLOD_WEAR_NAME + 64)
+#define CLOD_FIGURE_TITLE (CLOD_FIGURE_NAME + 96)
 
 #define CLOD_FIGURE_MOST 2000 ///< points of a curve
 
@@ -31,7 +37,7 @@ typedef enum clod_figure_style {
 } clod_figure_style;
 
 typedef struct clod_figure_curve {
-    char name[96]; ///< in the legend; "": not in it
+    char name[CLOD_FIGURE_NAME]; ///< in the legend; "": not in it
     clod_figure_style style;
     int colour;    ///< below CLOD_FIGURE_COLOURS, or grey
     int round;     ///< below CLOD_FIGURE_ROUNDS
@@ -58,9 +64,9 @@ typedef struct clod_figure_map {
 } clod_figure_map;
 
 typedef struct clod_figure {
-    char name[128];  ///< of its file: letters, digits and -
-    char title[160]; ///< what it shows
-    char note[400];  ///< a sentence below; "": none
+    char name[128];                ///< of its file: letters, digits and -
+    char title[CLOD_FIGURE_TITLE]; ///< what it shows
+    char note[400];                ///< a sentence below; "": none
     clod_figure_axis x, y;
     clod_figure_map map;       ///< below the curves; the axes are its edges
     bool equal;                ///< both axes have the same scale
@@ -68,8 +74,9 @@ typedef struct clod_figure {
     bool log_x;                ///< the x axis is logarithmic; its numbers are above 0
     clod_figure_curve *curves; ///< [count] owned
     size_t count;
-    char again[96]; ///< the first curve in the legend that looks like an earlier one; "": none
-    bool lost;      ///< there was no memory for something
+    char again
+        [CLOD_FIGURE_NAME]; ///< the first curve in the legend that looks like an earlier one; "": none
+    bool lost;              ///< there was no memory for something
 } clod_figure;
 
 /** An empty figure. */

@@ -6,6 +6,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/memory.h"
@@ -13,7 +14,8 @@
 #include "output/folder_names.h"
 
 #define PATH 4096
-#define MARK 192 ///< bytes of a mark
+#define MARK 192                      ///< bytes of a mark
+#define FIGURE_MOST ((off_t)64 << 20) ///< bytes: a larger file is none of clod's figures
 
 /** Where the figures of a page are. */
 typedef struct place {
@@ -41,33 +43,58 @@ static void write_mark(const char *name, const char *svg, size_t size, char mark
              clod_file_crc32(0, svg, size));
 }
 
+/** Whether a whole file is a figure and the mark that it has from clod; `size` bytes from `start` on. */
+static bool is_marked(int file, const char *name, size_t size, size_t start)
+{
+    char mark[MARK];
+    char *text = clod_memory_alloc(size + 1, 1);
+    bool clods = false;
+    if (text != NULL && clod_file_read_at(file, 0, text, size) == 0) {
+        write_mark(name, text, start, mark);
+        clods = strlen(mark) == size - start && memcmp(text + start, mark, size - start) == 0;
+    }
+    clod_memory_free(text);
+    return clods;
+}
+
+/** Whether an open file is a figure of clod's: read whole only when its last line looks like the mark. */
+static bool is_figure(int file, const char *name)
+{
+    struct stat info;
+    char end[MARK];
+    if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode) || info.st_size < 1 ||
+        info.st_size > FIGURE_MOST) {
+        return false;
+    }
+    const size_t size = (size_t)info.st_size, length = size < MARK ? size : MARK;
+    if (clod_file_read_at(file, size - length, end, length) != 0) {
+        return false;
+    }
+    size_t start = length - 1;
+    while (start > 0 && end[start - 1] != '\n') {
+        start--;
+    }
+    static const char BEGIN[] = "<?clod figure ";
+    const bool looks =
+        length - start > sizeof BEGIN - 1 && memcmp(end + start, BEGIN, sizeof BEGIN - 1) == 0;
+    return looks && is_marked(file, name, size, size - length + start);
+}
+
 /**
  * Whether a file is one that clod wrote, and nobody has changed.
  *
  * @param path   of the file
  * @param name   of the figure that it would be
- * @param there  [out] whether there is something of that name
+ * @param there  [out] whether there is something of that name, a pipe too
  */
 static bool is_clods(const char *path, const char *name, bool *there)
 {
-    void *bytes;
-    size_t size;
-    char mark[MARK];
-    const int error = clod_file_load(AT_FDCWD, path, &bytes, &size);
-    *there = error != ENOENT;
-    if (error != 0) {
-        return false;
+    const int file = clod_file_open(AT_FDCWD, path, O_RDONLY | O_NONBLOCK); // no pipe waits
+    *there = file >= 0 || errno != ENOENT;
+    const bool clods = file >= 0 && is_figure(file, name);
+    if (file >= 0) {
+        clod_file_close(file); // nothing was written
     }
-    // the mark is the last line
-    const char *text = bytes;
-    size_t start = size > 0 ? size - 1 : 0;
-    while (start > 0 && text[start - 1] != '\n') {
-        start--;
-    }
-    write_mark(name, text, start, mark);
-    const bool clods =
-        strlen(mark) == size - start && memcmp(text + start, mark, size - start) == 0;
-    clod_memory_free(bytes);
     return clods;
 }
 

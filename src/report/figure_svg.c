@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "report/figure_map.h"
 #include "report/figure_scale.h"
 #include "report/html.h"
@@ -15,6 +16,8 @@
 #define BELOW 52.0 ///< the plot: ticks and the name of the axis
 #define ROW 20.0   ///< of the legend
 #define LETTER 6.8 ///< mean width of one
+#define KEY 46.0   ///< of a curve in the legend: its line, and gaps
+#define LETTERS ((size_t)((WIDTH - LEFT - KEY) / LETTER)) ///< that a row of it has room for
 
 /** Where things are in the drawing. */
 typedef struct frame {
@@ -163,7 +166,9 @@ static int put_legend(FILE *out, const frame *self, const clod_figure *of)
     int row = 0;
     for (size_t c = 0; c < of->count; c++) {
         const clod_figure_curve *curve = &of->curves[c];
-        const double wide = 46.0 + LETTER * (double)strlen(curve->name);
+        char name[CLOD_FIGURE_NAME];
+        clod_text_fit(name, sizeof name, LETTERS, curve->name, strlen(curve->name));
+        const double wide = KEY + LETTER * (double)clod_text_characters(name);
         if (curve->name[0] == '\0') {
             continue;
         }
@@ -180,7 +185,7 @@ static int put_legend(FILE *out, const frame *self, const clod_figure *of)
             if (is_marks(curve->style)) {
                 put_mark(out, curve, x + 12.0, y);
             }
-            put_text(out, x + 30.0, y + 4.5, "", curve->name);
+            put_text(out, x + 30.0, y + 4.5, "", name);
         }
         x += wide;
     }

@@ -21,7 +21,7 @@ static const char *const FREE[] = {"kinetic_energy", "max_speed",  "grains", "ma
 /** How columns and units of the files are shown. */
 static void set_axis(clod_figure_axis *axis, const char *name, const char *unit)
 {
-    char words[96];
+    char words[CLOD_FIGURE_NAME];
     clod_series_groups_words(name, words);
     if (strcmp(unit, "Pa") == 0) {
         clod_figure_axis_set(axis, words, "kPa", 1e-3);
@@ -56,7 +56,7 @@ bool clod_series_compare_parts(clod_sheet *sheet, const clod_run_files *runs, si
                                clod_status *status)
 {
     clod_figure figure;
-    char title[160], words[96];
+    char title[CLOD_FIGURE_TITLE], words[CLOD_FIGURE_NAME];
     clod_series_groups_words(column, words);
     snprintf(title, sizeof title, "%c%s, %s", words[0] - 'a' + 'A', words + 1, part);
     clod_figure_init(&figure, title, title);
@@ -148,7 +148,7 @@ static void put_column(clod_sheet *sheet, const clod_run_files *runs, const clod
                        size_t count, const char *name)
 {
     clod_figure figure;
-    char title[96];
+    char title[CLOD_FIGURE_NAME];
     clod_series_groups_words(name, title);
     clod_figure_init(&figure, name, title);
     for (size_t k = 0; k < count; k++) {

@@ -12,6 +12,7 @@ static const char *const MAIN[] = {"kinetic_energy", "max_speed",  "grains",  "m
                                    "mass_flow",      "speed",      "power",   "force_z",
                                    "resting_mass",   "mass_share", "largest", "impact_power",
                                    "density",        "pressure",   "lacey",   "repose_angle"};
+#define TITLE (2 * CLOD_FIGURE_NAME + 2) ///< a quantity, and whose it is
 #define MAIN_COUNT (sizeof MAIN / sizeof MAIN[0])
 
 static void add_column(clod_figure *figure, const clod_table *series, const double *time,
@@ -39,15 +40,15 @@ static void name_figure(const clod_series_groups *groups, size_t g, char name[16
 
 /** Title of a group's figure: "Mass flow: gauges". */
 static void name_title(const clod_series_group *group, const clod_table *series,
-                       char title[200])
+                       char title[TITLE])
 {
-    char words[96], whose[96];
+    char words[CLOD_FIGURE_NAME], whose[CLOD_FIGURE_NAME];
     clod_series_groups_words(group->quantity, words);
     clod_series_groups_whose(group, series, whose);
     if (words[0] >= 'a' && words[0] <= 'z') {
         words[0] = (char)(words[0] - 'a' + 'A');
     }
-    snprintf(title, 200, "%s%s%s", words, whose[0] != '\0' ? ": " : "", whose);
+    snprintf(title, TITLE, "%s%s%s", words, whose[0] != '\0' ? ": " : "", whose);
 }
 
 /** One figure with the columns of a group. */
@@ -55,7 +56,7 @@ static void put_group(clod_sheet *sheet, const clod_table *series, const double 
                       const clod_series_groups *groups, size_t g)
 {
     const clod_series_group *group = &groups->group[g];
-    char name[160], title[200], words[96];
+    char name[160], title[TITLE], words[CLOD_FIGURE_NAME];
     name_figure(groups, g, name);
     name_title(group, series, title);
     clod_figure figure;
@@ -64,7 +65,7 @@ static void put_group(clod_sheet *sheet, const clod_table *series, const double 
     clod_series_groups_words(group->quantity, words);
     clod_figure_axis_set(&figure.y, words, group->unit, 1.0);
     for (size_t k = 0; k < group->count; k++) {
-        char of[96];
+        char of[CLOD_FIGURE_NAME];
         clod_series_groups_object(series->names[group->column[k]], of);
         if (of[0] == '\0' && group->count > 1) {
             snprintf(of, sizeof of, "all");
@@ -125,7 +126,7 @@ void clod_series_figures_all(clod_sheet *sheet, const clod_table *table, const c
     clod_figure_axis_set(&figure.y, title, unit, 1.0);
     for (size_t c = 0; time != NULL && c < table->columns; c++) {
         if (strcmp(table->units[c], unit) == 0) {
-            char words[96];
+            char words[CLOD_FIGURE_NAME];
             clod_series_groups_words(table->names[c], words);
             add_column(&figure, table, time, (int)c, words, number++);
         }

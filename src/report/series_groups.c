@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 
 /** What a column measures: the name behind the last point. */
 static const char *quantity_of(const char *name)
@@ -87,19 +88,24 @@ void clod_series_groups_fini(clod_series_groups *self)
     *self = (clod_series_groups){0};
 }
 
-void clod_series_groups_words(const char *name, char words[96])
+/** The beginning of a name with blanks for underscores. */
+static void copy_words(const char *name, size_t length, char words[CLOD_FIGURE_NAME])
 {
-    snprintf(words, 96, "%s", name);
+    clod_text_fit(words, CLOD_FIGURE_NAME, CLOD_FIGURE_NAME, name, length);
     for (char *at = strchr(words, '_'); at != NULL; at = strchr(at, '_')) {
         *at = ' ';
     }
 }
 
-void clod_series_groups_object(const char *name, char words[96])
+void clod_series_groups_words(const char *name, char words[CLOD_FIGURE_NAME])
 {
-    clod_series_groups_words(name, words);
-    char *dot = strrchr(words, '.');
-    words[dot != NULL ? dot - words : 0] = '\0';
+    copy_words(name, strlen(name), words);
+}
+
+void clod_series_groups_object(const char *name, char words[CLOD_FIGURE_NAME])
+{
+    const char *dot = strrchr(name, '.');
+    copy_words(name, dot != NULL ? (size_t)(dot - name) : 0, words);
 }
 
 /** The kind of object whose columns begin like this one, NULL: none that is known. */
@@ -118,7 +124,7 @@ static const char *kind_of(const char *name)
 }
 
 void clod_series_groups_whose(const clod_series_group *group, const clod_table *series,
-                              char words[96])
+                              char words[CLOD_FIGURE_NAME])
 {
     words[0] = '\0';
     if (group->count == 1) {
@@ -130,6 +136,6 @@ void clod_series_groups_whose(const clod_series_group *group, const clod_table *
         kind = kind_of(series->names[group->column[k]]) == kind ? kind : NULL;
     }
     if (kind != NULL) {
-        snprintf(words, 96, "%s", kind);
+        snprintf(words, CLOD_FIGURE_NAME, "%s", kind);
     }
 }

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "report/figure.h"
 #include "report/table.h"
 
 typedef struct clod_series_group {
@@ -34,10 +35,10 @@ bool clod_series_groups_make(clod_series_groups *self, const clod_table *series)
 void clod_series_groups_fini(clod_series_groups *self);
 
 /** Whose a column is, in words: "gauge head" of gauge_head.mass_flow; "" of kinetic_energy. */
-void clod_series_groups_object(const char *name, char words[96]);
+void clod_series_groups_object(const char *name, char words[CLOD_FIGURE_NAME]);
 
 /** A name with blanks for underscores. */
-void clod_series_groups_words(const char *name, char words[96]);
+void clod_series_groups_words(const char *name, char words[CLOD_FIGURE_NAME]);
 
 /**
  * Whose all columns of a group are: "inlet 1" of a single one, "gauges" of those of several gauges;
@@ -46,4 +47,4 @@ void clod_series_groups_words(const char *name, char words[96]);
  * Test  tests/report/test_table.c
  */
 void clod_series_groups_whose(const clod_series_group *group, const clod_table *series,
-                              char words[96]);
+                              char words[CLOD_FIGURE_NAME]);

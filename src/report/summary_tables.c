@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/unit_endings.h"
 #include "report/figure_json.h"
 #include "report/html.h"
@@ -15,15 +16,16 @@
 /** Endings of keys and the units that they mean. */
 static const clod_unit_ending UNITS[] = {CLOD_UNIT_ENDINGS(ROW)};
 
-/** Blanks for underscores. */
-static void put_blanks(char *name)
+/** The beginning of a key with blanks for underscores. */
+static void put_words(const char *key, size_t length, char name[CLOD_FIGURE_NAME])
 {
+    clod_text_fit(name, CLOD_FIGURE_NAME, CLOD_FIGURE_NAME, key, length);
     for (char *at = strchr(name, '_'); at != NULL; at = strchr(at, '_')) {
         *at = ' ';
     }
 }
 
-void clod_summary_tables_name(const char *key, char name[96], char unit[16])
+void clod_summary_tables_name(const char *key, char name[CLOD_FIGURE_NAME], char unit[16])
 {
     size_t length = strlen(key);
     unit[0] = '\0';
@@ -34,14 +36,13 @@ void clod_summary_tables_name(const char *key, char name[96], char unit[16])
             snprintf(unit, 16, "%s", UNITS[k].unit);
         }
     }
-    snprintf(name, 96, "%.*s", (int)length, key);
-    put_blanks(name);
+    put_words(key, length, name);
 }
 
 /** Objects side by side, and the keys of their numbers. */
 typedef struct layout {
     const json_t *item[MOST];
-    char head[MOST][96];
+    char head[MOST][CLOD_FIGURE_NAME];
     const char *key[MOST];
     size_t items, keys;
     size_t more_items, more_keys; ///< that have no room
@@ -105,7 +106,7 @@ static void add_item(layout *self, json_t *item, const char *name)
     if (self->items < MOST) {
         const size_t k = self->items++;
         self->item[k] = item;
-        snprintf(self->head[k], sizeof self->head[k], "%s", name);
+        clod_text_fit(self->head[k], CLOD_FIGURE_NAME, CLOD_FIGURE_NAME, name, strlen(name));
         add_keys(self, item);
     } else {
         self->more_items++;
@@ -128,9 +129,8 @@ static void lay_out(layout *self, json_t *from)
     json_t *value;
     json_object_foreach(from, key, value)
     {
-        char name[96];
-        snprintf(name, sizeof name, "%s", key);
-        put_blanks(name);
+        char name[CLOD_FIGURE_NAME];
+        put_words(key, strlen(key), name);
         add_item(self, value, name);
     }
 }
@@ -188,7 +188,7 @@ static void put_cell(FILE *out, const json_t *value)
 static void put_rows(FILE *out, const layout *self)
 {
     for (size_t k = 0; k < self->keys; k++) {
-        char name[96], unit[16];
+        char name[CLOD_FIGURE_NAME], unit[16];
         clod_summary_tables_name(self->key[k], name, unit);
         fputs("<tr>", out);
         clod_html_cell(out, "th", name);

@@ -7,6 +7,8 @@
 #include <jansson.h>
 #include <stdio.h>
 
+#include "report/figure.h"
+
 /**
  * Write a table with a column for each object and a row for each of their numbers; nothing when
  * there are none, or all are zero. Objects with mean and deviation are one cell; the title of a
@@ -19,4 +21,4 @@
 void clod_summary_tables_put(FILE *out, const char *title, json_t *from);
 
 /** Split a key, "mass_flow_kg_per_s", into "mass flow" and "kg/s"; a unit "" if it has none. */
-void clod_summary_tables_name(const char *key, char name[96], char unit[16]);
+void clod_summary_tables_name(const char *key, char name[CLOD_FIGURE_NAME], char unit[16]);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "state/part_labels.h"
 
 /** Whether a shape is of a part of a mesh; without a name of one any is. */
@@ -33,22 +34,21 @@ static int32_t note(clod_wall *wall, const char *part, int32_t number, bool *twi
 static void say_parts(const clod_walls *walls, const char *name, char *text, size_t size)
 {
     const clod_surface *last = NULL; // shapes of one mesh follow each other
-    size_t used = 0;
-    text[0] = '\0';
+    clod_text_names names = clod_text_names_begin(text, size);
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
         for (int32_t s = 0; strcmp(wall->name, name) == 0 && s < wall->shape_count; s++) {
             const clod_surface *surface = wall->shapes[s].surface;
             for (size_t p = 0; surface != NULL && surface != last && p < surface->part_count;
                  p++) {
-                if (surface->part_label[p][0] != '\0' && used < size) {
-                    used += (size_t)snprintf(text + used, size - used, "%s%s",
-                                             used > 0 ? ", " : "", surface->part_label[p]);
+                if (surface->part_label[p][0] != '\0') {
+                    clod_text_names_add(&names, surface->part_label[p]);
                 }
             }
             last = surface;
         }
     }
+    clod_text_names_end(&names);
 }
 
 /** That a wall has no such part, and which it has. */

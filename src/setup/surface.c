@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "clod/mesh.h"
 #include "mesh/surface_touch.h"
 #include "state/shape_kinds.h"
@@ -14,18 +15,16 @@
 /** A belt goes smoothly over bends below this angle: idlers of a trough bend it more [rad]. */
 #define BELT_SMOOTH (M_PI / 9.0)
 
-/** Names of the parts of a mesh, or that it has none, for a message. */
-static const char *names_of(const clod_mesh_view *view, char *text, size_t size)
+/** Names of the parts of a mesh for a message; "": it has none. */
+static void names_of(const clod_mesh_view *view, char *text, size_t size)
 {
-    snprintf(text, size, "its parts have no names: write surface: for all of it");
-    size_t used = 0;
-    for (size_t p = 0; p < view->part_count && used < size; p++) {
+    clod_text_names names = clod_text_names_begin(text, size);
+    for (size_t p = 0; p < view->part_count; p++) {
         if (view->parts[p].name[0] != '\0') {
-            used += (size_t)snprintf(text + used, size - used, "%s%s",
-                                     used == 0 ? "its parts are " : ", ", view->parts[p].name);
+            clod_text_names_add(&names, view->parts[p].name);
         }
     }
-    return text;
+    clod_text_names_end(&names);
 }
 
 /** Find the parts of the case in the file. */
@@ -47,9 +46,13 @@ static bool find_parts(clod_setup_mesh *self, const clod_mesh_view *view,
         }
         if (!found) {
             char names[400];
+            names_of(view, names, sizeof names);
             return clod_status_fail(
-                status, CLOD_USAGE, "parts.%s: the mesh %s has no part of this name; %s",
-                shape->parts[k].name, shape->file, names_of(view, names, sizeof names));
+                status, CLOD_USAGE,
+                "parts.%s: the mesh %s has no part of this name; its parts %s%s",
+                shape->parts[k].name, shape->file,
+                names[0] != '\0' ? "are " : "have no names: write surface: for all of it",
+                names);
         }
     }
     return true;

@@ -87,6 +87,58 @@ static void what_is_no_text_is_replaced(void **state)
     }
 }
 
+/** Whole where it has room; else of 20 bytes or 20 characters a third and the end, and no half character. */
+static void a_text_that_is_too_long_keeps_its_end(void **state)
+{
+    (void)state;
+#define A "\xC3\xA4"
+#define E "\xE2\x82\xAC"
+    static const struct {
+        size_t size, most;
+        const char *from, *to;
+    } CASES[] = {
+        {21, 99, "", ""},
+        {21, 99, "abcdefghijklmnopqrst", "abcdefghijklmnopqrst"},
+        {21, 99, "abcdefghijklmnopqrstu", "abcdef...klmnopqrstu"},
+        {99, 20, "abcdefghijklmnopqrstu", "abcdef...klmnopqrstu"},
+        {21, 99, A A A A A A A A A A, A A A A A A A A A A},
+        {21, 99, "a" A A A A A A A A A A, "a" A A "..." A A A A A A}, // 5 and 12 bytes
+        {99, 8, A A A A A A A A "a", A A "..." A A "a"},
+        {21, 99, E E E E E E E, E E "..." E E E},
+    };
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        char text[100];
+        clod_text_fit(text, CASES[k].size, CASES[k].most, CASES[k].from, strlen(CASES[k].from));
+        assert_string_equal(text, CASES[k].to);
+    }
+    assert_int_equal(clod_text_characters("a" A E), 3);
+}
+
+static void names_that_have_no_room_are_counted(void **state)
+{
+    (void)state;
+    static const char *const NAMES[] = {"one", "a name of 18 bytes", "two", "three"};
+    static const struct {
+        size_t size, count;
+        const char *text;
+    } CASES[] = {
+        {64, 0, ""},
+        {64, 1, "one"},
+        {64, 4, "one, a name of 18 bytes, two and 1 more"}, // 28 bytes, 35 with ", three"
+        {56, 4, "one, a name of 18 bytes and 2 more"},      // 23 bytes and the zero
+        {55, 4, "one and 3 more"},
+        {35, 4, "4 more"}};
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        char text[64];
+        clod_text_names names = clod_text_names_begin(text, CASES[k].size);
+        for (size_t n = 0; n < CASES[k].count; n++) {
+            clod_text_names_add(&names, NAMES[n]);
+        }
+        clod_text_names_end(&names);
+        assert_string_equal(text, CASES[k].text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -94,6 +146,8 @@ int main(void)
         cmocka_unit_test(a_long_text),
         cmocka_unit_test(every_length),
         cmocka_unit_test(what_is_no_text_is_replaced),
+        cmocka_unit_test(a_text_that_is_too_long_keeps_its_end),
+        cmocka_unit_test(names_that_have_no_room_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

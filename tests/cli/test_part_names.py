@@ -5,6 +5,7 @@ import json
 import os
 import re
 import shutil
+import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -205,6 +206,23 @@ class PartNames(clod.Case):
         self.assertEqual(told.returncode, 0, told.stderr)
         told = [text for text in json.loads(told.stdout)["warnings"] if "parts are called" in text]
         self.assertEqual(told, [f"walls.plates: one.obj: {text}" for text in warnings])
+
+
+    def test_messages_with_long_names(self):
+        """No character is cut, of names and of the line above the caret; a name has its end, or is counted."""
+        names = [letter * 120 + str(k) for k, letter in enumerate("äöüßé")]  # 241 bytes each
+        facet = "v %d 0 0\nv 9 0 0\nv 0 9 0\nf -3 -2 -1\n"
+        for before in ("", "a", f'"{names[0]}": {{}}, ', f'"{names[0]}": {{}},  '):
+            case = same_names.CASE.replace("file: one.obj, unit: 1 mm", f'file: a.obj, unit: 1 mm, parts: {{{before}WRONG: {{}}}}')
+            same_names.write(self.path, case.replace("WRONG", "é" * 100))
+            with open(self.path("a.obj"), "w") as file:
+                file.writelines(f"o {name}\n" + facet % k for k, name in enumerate(names))
+            done = subprocess.run([clod.BINARY, "check", self.path("case.yaml")], stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 2)
+            told, line, caret = done.stderr.decode("utf-8").splitlines()[:3]  # strict
+            self.assertTrue(told.endswith(f"; its parts are {names[0]} and 4 more"), told)
+            self.assertEqual(line[caret.index("^")], "a" if before == "a" else "é")
+            self.assertIn(len(line.encode()) - 2, (99, 100, 101))  # bytes of the line that are shown
 
 
 if __name__ == "__main__":

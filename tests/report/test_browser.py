@@ -103,6 +103,20 @@ class Browser(clod.Case):
         names = ["one", "two"]
         self.assert_drawn(seen, dom, {"kinetic-energy": names, "gauge-head-mass-flow": names, "feed-power": names})
 
+    def test_long_names_on_a_phone(self):
+        """Names that are wider than the page are told apart by their ends."""
+        pages.free_run(self.path("run"))
+        names = ["ä" * 120 + str(k) for k in range(2)]
+        rows = "".join(f"{k},{k},{2 * k}\n" for k in range(1, 9))
+        heads = ",".join(f"surface_liner.{name}.force_z [N]" for name in names)
+        pages.write(self.path("run"), series__csv=f"time [s],{heads}\n{rows}")
+        self.need_scripts(clod.run("report", self.path("run")))
+        seen, dom = self.show("run/report.html", 390)
+        legend = pages.Drawn(dom, "force-z").legend
+        self.assertEqual([text[-1] for text in legend], ["0", "1"])
+        self.assertLess(7.4 * max(map(len, legend)), 390)  # pixels of a letter
+        self.assertEqual(self.unfolded("run/report.html")["force-z"], [f"surface liner.{name}" for name in names])
+
     def assert_places(self, dom):
         """The strength, and both ends of the stress, stand where the labels of the axes say.
 

@@ -5,6 +5,10 @@
 #include <stddef.h>
 
 #include <cmocka.h>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "output/temp_folder.h"
 #include "report/figure_files.h"
@@ -106,6 +110,33 @@ static void a_results_folder_has_the_names_of_its_report(void **folder)
     clod_memory_free(found);
 }
 
+/** SIGALRM ends the program should a pipe be waited for; a file of 3 GB would show in its memory. */
+static void what_is_no_figure_is_not_read(void **folder)
+{
+    clod_status status;
+    char pipe[PATH_MAX], large[PATH_MAX];
+    assert_true(write_page(folder, "out.html", 1, &status));
+    temp_path(pipe, folder, "out-pipe.svg");
+    temp_path(large, folder, "out-large.svg");
+    assert_int_equal(mkfifo(pipe, 0600), 0);
+    const int file = open(large, O_WRONLY | O_CREAT, 0600);
+    assert_int_equal(ftruncate(file, (off_t)3 << 30), 0);
+    assert_int_equal(close(file), 0);
+    struct rusage before, after;
+    getrusage(RUSAGE_SELF, &before);
+    alarm(10);
+    assert_true(write_page(folder, "out.html", 0, &status));
+    temp_path(pipe, folder, "out-out--lets.svg");
+    assert_int_equal(mkfifo(pipe, 0600), 0);
+    assert_false(write_page(folder, "out.html", 2, &status)); // a pipe is in the way
+    alarm(0);
+    getrusage(RUSAGE_SELF, &after);
+    assert_true(after.ru_maxrss - before.ru_maxrss < 32 << 10); // KiB
+    assert_non_null(strstr(status.text, "out-out--lets.svg is in the way of a figure of "));
+    assert_false(temp_exists(folder, "out-flow-function.svg"));
+    assert_true(temp_exists(folder, "out-pipe.svg") && temp_exists(folder, "out-large.svg"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -116,6 +147,8 @@ int main(void)
                                         temp_folder_remove),
         cmocka_unit_test_setup_teardown(a_results_folder_has_the_names_of_its_report,
                                         temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(what_is_no_figure_is_not_read, temp_folder_make,
+                                        temp_folder_remove),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -71,7 +71,7 @@ static void columns_of_one_quantity_make_a_group(void **state)
     clod_table table;
     clod_series_groups groups;
     clod_status status = {CLOD_OK, ""};
-    char words[96];
+    char words[CLOD_FIGURE_NAME];
     assert_true(clod_table_parse(&table, "t.csv", TEXT, strlen(TEXT), &status));
     assert_true(clod_series_groups_make(&groups, &table));
     assert_int_equal(groups.count, 3); // time is none, and e.power never changes

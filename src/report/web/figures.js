@@ -4,25 +4,36 @@ import Plotly from "plotly.js-cartesian-dist-min";
 
 // when the colours come again, points have other marks (and lines other dashes, which the numbers bring)
 const MARK = ["circle", "square", "diamond", "triangle-up"];
+const LETTER = 7.4; // pixels, mean width of one
 
 /** A text that plotly shows as it is: it reads some HTML in names and titles. */
 function plain(text) {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 }
 
-function traceOf(figure, curve) {
+/** A name of the legend; of one that is wider than the page the beginning and the end, as in the SVG. */
+function legendOf(curve, width) {
+  const letters = [...curve.name], most = Math.max(16, Math.floor((width - 126) / LETTER));
+  const head = Math.floor(most / 3);
+  return letters.length <= most ? curve.name : [...letters.slice(0, head), "...", ...letters.slice(3 + head - most)].join("");
+}
+
+function traceOf(figure, curve, width) {
   const times = (list, factor) => list.map(value => value === null ? null : value * factor);
   const marks = curve.style === "points" || curve.style === "hollow";
   const trace = {
     x: times(curve.x, figure.x.factor),
     y: times(curve.y, figure.y.factor),
-    name: plain(curve.name),
+    name: plain(legendOf(curve, width)),
     hoverlabel: {namelength: -1}, // whole: plotly would cut an entity in two
     showlegend: curve.name !== "",
     mode: marks ? "markers" : "lines",
     hoverinfo: curve.name === "" ? "x+y" : "x+y+name",
     connectgaps: false,
   };
+  if (legendOf(curve, width) !== curve.name) {
+    trace.hovertemplate = `(%{x}, %{y})<extra>${plain(curve.name)}</extra>`;
+  }
   if (marks) {
     trace.marker = {symbol: MARK[curve.round], color: curve.style === "hollow" ? "#ffffff" : curve.colour, size: 9, line: {color: curve.colour, width: 2}};
   } else {
@@ -100,8 +111,8 @@ function layoutOf(figure, width) {
     xaxis: {title: {text: titleOf(figure.x)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea", ticks: "outside", tickcolor: "#b9c0c8"},
     yaxis: {title: {text: titleOf(figure.y)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea"},
   };
-  const longest = Math.max(0, ...figure.curves.map(curve => curve.name.length));
-  const columns = Math.max(1, Math.floor((width - 76) / (50 + 7.4 * longest)));
+  const longest = Math.max(0, ...figure.curves.map(curve => legendOf(curve, width).length));
+  const columns = Math.max(1, Math.floor((width - 76) / (50 + LETTER * longest)));
   const legend = Math.ceil(rows / columns) * 20;
   layout.height += legend;
   layout.margin.b += legend;
@@ -122,7 +133,10 @@ function layoutOf(figure, width) {
 }
 
 function draw(figure, place) {
-  const traces = figure.curves.flatMap(curve => curve.style === "arrows" ? arrowsOf(traceOf(figure, curve)) : [traceOf(figure, curve)]);
+  const traces = figure.curves.flatMap(curve => {
+    const trace = traceOf(figure, curve, place.clientWidth);
+    return curve.style === "arrows" ? arrowsOf(trace) : [trace];
+  });
   if (figure.map) {
     traces.unshift(mapOf(figure, place.clientWidth < 480));
   }
