@@ -139,8 +139,9 @@ bool clod_verify_stream_belt(const clod_verify_bench *bench, clod_status *status
                                    "stream on a belt: pull of the belt [N], 99 %% interval") &&
            clod_verify_bench_check(bench, &work, power, status,
                                    "stream on a belt: power [W], 99 %% interval") &&
-           clod_verify_bench_check(bench, &lost, heat, status,
-                                   "stream on a belt: heat and lag, with those of the fall [W]") &&
+           clod_verify_bench_check(
+               bench, &lost, heat, status,
+               "stream on a belt: heat and lag, with those of the fall [W]") &&
            clod_verify_bench_check(bench, &none, gap, status,
                                    "stream on a belt: what the ledger lacks [W]");
 }
