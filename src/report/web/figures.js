@@ -4,18 +4,31 @@ import Plotly from "plotly.js-cartesian-dist-min";
 
 // when the colours come again, points have other marks (and lines other dashes, which the numbers bring)
 const MARK = ["circle", "square", "diamond", "triangle-up"];
-const LETTER = 7.4; // pixels, mean width of one
 
 /** A text that plotly shows as it is: it reads some HTML in names and titles. */
 function plain(text) {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 }
 
-/** A name of the legend; of one that is wider than the page the beginning and the end, as in the SVG. */
+const FONT = "Helvetica, Arial, sans-serif";
+const pen = document.createElement("canvas").getContext("2d");
+
+/** A name of the legend; of one that is wider than the figure the beginning and the end, as in the SVG. */
 function legendOf(curve, width) {
-  const letters = [...curve.name], most = Math.max(16, Math.floor((width - 126) / LETTER));
-  const head = Math.floor(most / 3);
-  return letters.length <= most ? curve.name : [...letters.slice(0, head), "...", ...letters.slice(3 + head - most)].join("");
+  const letters = [...curve.name];
+  const room = width - 56; // right of the line before it
+  pen.font = `${sizeOf(width)}px ${FONT}`;
+  let shown = curve.name;
+  for (let most = letters.length; most > 8 && pen.measureText(shown).width > room; most--) {
+    const head = Math.floor(most / 3);
+    shown = [...letters.slice(0, head), "...", ...letters.slice(3 + head - most)].join("");
+  }
+  return shown;
+}
+
+/** Pixels of the letters of a figure. */
+function sizeOf(width) {
+  return width < 480 ? 12 : 13;
 }
 
 function traceOf(figure, curve, width) {
@@ -104,7 +117,7 @@ function layoutOf(figure, width) {
   const small = width < 480;
   const layout = {
     margin: {l: 64, r: 12, t: 12, b: 52},
-    font: {family: "Helvetica, Arial, sans-serif", size: small ? 12 : 13, color: "#1d2733"},
+    font: {family: FONT, size: sizeOf(width), color: "#1d2733"},
     height: figure.equal ? equalHeight(figure, width) : small ? 330 : 370,
     legend: {orientation: "h", yref: "container", y: 0, yanchor: "bottom", x: 0},
     hovermode: "closest",
@@ -112,7 +125,7 @@ function layoutOf(figure, width) {
     yaxis: {title: {text: titleOf(figure.y)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea"},
   };
   const longest = Math.max(0, ...figure.curves.map(curve => legendOf(curve, width).length));
-  const columns = Math.max(1, Math.floor((width - 76) / (50 + LETTER * longest)));
+  const columns = Math.max(1, Math.floor((width - 76) / (50 + 7.4 * longest)));
   const legend = Math.ceil(rows / columns) * 20;
   layout.height += legend;
   layout.margin.b += legend;
