@@ -81,37 +81,22 @@ static clod_mixing_grid grid_of(const clod_case *from, const clod_case_mixing *a
     return self;
 }
 
-static bool fail_memory(const clod_case_mixing *asked, clod_status *status)
+/** The index of the moment, of samples that are counted or weighed. */
+static bool find_index(const clod_mixing_grid *grid, const clod_case_mixing *asked,
+                       const clod_survey *survey, clod_mixing *to, clod_status *status)
 {
-    return clod_status_fail(status, CLOD_FAILED, "no memory for the samples of mixing.%s",
-                            asked->name);
-}
-
-/** The index of the moment by number. */
-static bool count(const clod_mixing_grid *grid, const clod_case_mixing *asked,
-                  const clod_survey *survey, clod_mixing *to, clod_status *status)
-{
+    const bool weighs = asked->by == CLOD_MIXING_BY_MASS;
     const size_t cells = clod_mixing_grid_samples(grid);
-    clod_mixing_sample *samples = clod_memory_alloc(cells, sizeof *samples);
-    const bool good = samples != NULL ? clod_mixing_grid_count(grid, survey, samples, status)
-                                      : fail_memory(asked, status);
-    if (good) {
-        *to = clod_mixing_of(samples, cells);
+    void *samples = clod_memory_alloc(cells, weighs ? sizeof(clod_mixing_weighed)
+                                                    : sizeof(clod_mixing_sample));
+    if (samples == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the samples of mixing.%s",
+                                asked->name);
     }
-    clod_memory_free(samples);
-    return good;
-}
-
-/** By mass. */
-static bool weigh(const clod_mixing_grid *grid, const clod_case_mixing *asked,
-                  const clod_survey *survey, clod_mixing *to, clod_status *status)
-{
-    const size_t cells = clod_mixing_grid_samples(grid);
-    clod_mixing_weighed *samples = clod_memory_alloc(cells, sizeof *samples);
-    const bool good = samples != NULL ? clod_mixing_grid_weigh(grid, survey, samples, status)
-                                      : fail_memory(asked, status);
+    const bool good = weighs ? clod_mixing_grid_weigh(grid, survey, samples, status)
+                             : clod_mixing_grid_count(grid, survey, samples, status);
     if (good) {
-        *to = clod_mixing_of_mass(samples, cells);
+        *to = weighs ? clod_mixing_of_mass(samples, cells) : clod_mixing_of(samples, cells);
     }
     clod_memory_free(samples);
     return good;
@@ -121,9 +106,7 @@ static bool look_at(mixing_memory *self, const clod_case_mixing *asked,
                     const clod_free_moment *now, clod_status *status)
 {
     const clod_mixing_grid grid = grid_of(now->from, asked);
-    const bool good = asked->by == CLOD_MIXING_BY_MASS
-                          ? weigh(&grid, asked, now->survey, &self->now, status)
-                          : count(&grid, asked, now->survey, &self->now, status);
+    const bool good = find_index(&grid, asked, now->survey, &self->now, status);
     if (good) {
         clod_mixing_mean_note(&self->mean, now, self->now.index);
     }

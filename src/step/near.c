@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/room.h"
+#include "parallel/threads.h"
 #include "step/near_between.h"
 #include "step/near_known.h"
 #include "step/near_parts.h"
@@ -20,12 +21,6 @@
 #define ROUNDING 1e-9
 /** an origin and an own skin in float, both at most half of the wide skin, as a part of that. */
 #define FLOAT_ROUNDING 1e-7
-
-clod_chunk clod_near_share(size_t count, int part, int parts)
-{
-    return (clod_chunk){count * (size_t)part / (size_t)parts,
-                        count * (size_t)(part + 1) / (size_t)parts};
-}
 
 static bool pair_is_near(const clod_near_job *job, size_t i, size_t j)
 {
@@ -59,7 +54,7 @@ void clod_near_mark(const clod_near_job *job, int part)
     const clod_state *state = job->state;
     const clod_pairs *pairs = &job->neighbour->pairs;
     const int parts = job->near->parts;
-    const clod_chunk rows = clod_near_share(state->grains.count, part, parts);
+    const clod_chunk rows = clod_threads_chunk(state->grains.count, part, parts);
     for (size_t i = rows.begin; i < rows.end; i++) {
         for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
             const size_t j = pairs->item[k].j;
@@ -71,7 +66,7 @@ void clod_near_mark(const clod_near_job *job, int part)
         }
     }
     const clod_wall_candidates *walls = &job->neighbour->walls;
-    const clod_chunk items = clod_near_share(walls->count, part, parts);
+    const clod_chunk items = clod_threads_chunk(walls->count, part, parts);
     for (size_t k = items.begin; k < items.end; k++) {
         clod_wall_candidate *c = &walls->item[k];
         c->near = wall_is_near(job, c);

@@ -169,9 +169,6 @@ bool clod_near_layout(const clod_near_job *job, clod_status *status); ///< and a
 void clod_near_place(const clod_near_job *job, int part);
 void clod_near_end(const clod_near_job *job);
 
-/** Items [begin, end) of so many that are a part's to look at before there is a cut. */
-clod_chunk clod_near_share(size_t count, int part, int parts);
-
 /** Give skins, courses and origins of a large bed back to the system: the next list has new ones. */
 void clod_near_give_skins_back(clod_near *self);
 

@@ -2,10 +2,12 @@
 
 #include <math.h>
 
+#include "parallel/threads.h"
+
 /** Rows [begin, end) of so many that are a part's to look at before there is a cut. */
 static clod_chunk rows_of(const clod_near_job *job, int part)
 {
-    return clod_near_share(job->state->grains.count, part, job->near->parts);
+    return clod_threads_chunk(job->state->grains.count, part, job->near->parts);
 }
 
 void clod_near_choose_skins(const clod_near_job *job, int part)
