@@ -3,12 +3,13 @@
 import math
 
 import loci
+import records
 import settings
 
 PAPER = {"ore5": 44.6, "ore8": 44.8}  # deg, the paper's DEM
 LABORATORY = {"ore5": 47.3, "ore8": 46.7}  # deg, Jenike tester
 NEAR = 2.0  # deg
-READINGS = ("phi_lin", "phi_e", "phi_sf", "highest points")
+READINGS = ("phi_lin", "phi_e", "phi_sf", "highest points")  # columns of records
 
 
 def normal(x):
@@ -36,27 +37,18 @@ def chance_near(value, error, target, near=NEAR):
     return normal((target + near - value) / error) - normal((target - near - value) / error)
 
 
-def readings_of(clod, folder, names):
-    """{reading: angles [deg] of the tests, without those that have none}."""
-    found = {reading: [] for reading in READINGS}
-    for name in names:
-        locus = loci.of_tests(clod, folder, [name])
-        for reading in READINGS[:3]:
-            angle = locus[f"{reading}_deg"]["value"]
-            found[reading] += [] if angle is None else [angle]
-        found[READINGS[3]].append(loci.angle_of_highest(folder, name))
-    return found
-
-
-def packings_of(clod, folder):
-    """{(choice, ore): readings} of all choices of which a test has ended."""
+def packings_of(clod, folder, kept):
+    """{(choice, ore): {reading: angles [deg] of its tests, without those that have none}}, of all tests that have
+    ended in the folder or are kept."""
+    rows = kept | records.of_folder(clod, folder)
     found = {}
     for choice in ["", *settings.CHOICES]:
         for ore in settings.CASES:
             names = [settings.name_of(choice, seed, ore) for seed in settings.SEEDS]
-            names = [name for name in names if loci.has_ended(folder, name)]
-            if names:
-                found[choice, ore] = readings_of(clod, folder, names)
+            tests = [rows[name] for name in names if name in rows]
+            if tests:
+                found[choice, ore] = {reading: [test[reading] for test in tests if test[reading] is not None]
+                                      for reading in READINGS}
     return found
 
 
@@ -104,9 +96,9 @@ def print_chance(found):
           f"least one by chance in {by_chance:.3f} of cases.")
 
 
-def print_table(clod, folder):
+def print_table(clod, folder, kept):
     """Which reading of which setting is within NEAR of the paper's angle."""
-    found = packings_of(clod, folder)
+    found = packings_of(clod, folder, kept)
     if found:
         print_near(found)
         print_chance(found)

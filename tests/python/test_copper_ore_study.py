@@ -38,7 +38,7 @@ def write_test(folder, name, degrees):
         write_series(path, f"point-{number}", 6, [(0.0, 0.0), (1e-3, tau), (2e-3, tau + NOISE), (3e-3, tau - NOISE)])
     write_series(path, "preshear", 3, [(1e-3 * mm, TAU * mm / 15) for mm in range(16)])
     with open(os.path.join(path, "summary.json"), "w") as file:
-        json.dump({"parts": [{"part": "preshear", "normal_stress_Pa": NORMAL, "steady": True, "wall_clock_s": 60}]}, file)
+        json.dump({"version": "9.9", "parts": [{"part": "preshear", "normal_stress_Pa": NORMAL, "steady": True, "wall_clock_s": 60}]}, file)
 
 
 def write_series(path, part, phase, rows):
@@ -126,12 +126,14 @@ class Tables(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        self.folder = os.path.join(folder.name, "tests")
+        self.kept = os.path.join(folder.name, "kept.csv")
         for name, degrees in (("ore5-seed1", 30.0), ("ore5-seed2", 34.0), ("ore8-force", 44.0)):
             write_test(self.folder, name, degrees)
 
     def show(self, table):
-        done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", self.folder, "--" + table],
+        done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", self.folder, "--kept", self.kept,
+                               "--" + table],
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
@@ -160,6 +162,38 @@ class Tables(unittest.TestCase):
         self.assertIn("| the case | 5 % | highest points | 2 | 32.0 ± 2.0 |", text)
         self.assertIn("| coulomb: force | 8 % | phi_lin | 1 | 44.0 | -0.8 | -2.7 | yes | - |", text)
         self.assertIn("with the same reading of the same setting: none of 0;", text)
+
+    def test_tests_of_other_machines_count(self):
+        """Kept are 30, 34 and 44 degrees; on another machine seed 2 has 36 in place of 34, seed 3 has 42: mean 36."""
+        self.assertIn("3 tests", self.show("keep"))
+        with open(self.kept) as file:
+            rows = file.read().splitlines()
+        self.assertEqual(rows[0], "test,clod,phi_lin [deg],phi_e [deg],phi_sf [deg],highest points [deg],c [kPa],"
+                         "tau_p [kPa],sigma_1 [kPa],sigma_c [kPa],ffc [1],rho_b [kg/m3]")
+        self.assertEqual([row.split(",")[0] for row in rows[1:]], ["ore5-seed1", "ore5-seed2", "ore8-force"])
+        self.assertEqual(rows[2].split(",")[1:3] + rows[2].split(",")[5:8], ["9.9", "34", "34", "8", "35"])
+        self.folder = os.path.join(self.folder, "other")
+        write_test(self.folder, "ore5-seed2", 36.0)
+        write_test(self.folder, "ore5-seed3", 42.0)
+        text = self.show("closing")
+        self.assertIn("| the case | 5 % | phi_lin | 3 | 36.0 ± 3.5 |", text)  # sqrt((36 + 0 + 36)/2/3) = 3.46
+        self.assertIn("| coulomb: force | 8 % | phi_lin | 1 | 44.0 |", text)
+
+    def test_a_number_that_is_not_there_stays_so(self):
+        """tau_p 35 kPa at 54.8 kPa and a line of c 60 kPa: sigma_2 is tension, so there is no phi_e."""
+        with open(os.path.join(self.folder, "ore5-seed1", "points.csv")) as file:
+            text = file.read()
+        head, *rows = text.splitlines()
+        with open(os.path.join(self.folder, "ore5-seed1", "points.csv"), "w") as file:
+            file.write(head + "\n")
+            for row in rows:
+                values = row.split(",")
+                values[4] = str(float(values[4]) + 52e3)
+                file.write(",".join(values) + "\n")
+        self.show("keep")
+        with open(self.kept) as file:
+            self.assertEqual(file.read().splitlines()[1].split(",")[3], "")
+        self.assertIn("| the case | 5 % | phi_e | 1 |", self.show("closing"))
 
     def test_phi_sf_on_the_way(self):
         """tau is 35 kPa/15 mm; rows at 3 and 4 mm come before 5 mm: atan(3.5 * 35/15/54.8) = 8.47 degrees."""
