@@ -23,7 +23,6 @@ typedef struct clod_unit_ending {
     ROW("_m_per_s", "m/s", "m/s", 1.0)                                                         \
     ROW("_kg_m3", "kg/m3", "kg/m3", 1.0)                                                       \
     ROW("_per_s", "1/s", "1/s", 1.0)                                                           \
-    ROW("_kg_s", "kg/s", "kg/s", 1.0)                                                          \
     ROW("_deg", "rad", "deg", CLOD_UNIT_ENDINGS_DEGREE)                                        \
     ROW("_rad", "rad", "rad", 1.0)                                                             \
     ROW("_m2", "m2", "m2", 1.0)                                                                \

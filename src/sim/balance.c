@@ -211,9 +211,9 @@ static const struct {
               {"balance.inside [1]", -1},
               {"balance.lost [1]", -1},
               {"balance.lost_mass [kg]", -1},
-              {"balance_in.mass_flow [kg s-1]", FLOW_IN},
-              {"balance_out.mass_flow [kg s-1]", FLOW_OUT},
-              {"balance_spilled.mass_flow [kg s-1]", FLOW_SPILLED}};
+              {"balance_in.mass_flow [kg/s]", FLOW_IN},
+              {"balance_out.mass_flow [kg/s]", FLOW_OUT},
+              {"balance_spilled.mass_flow [kg/s]", FLOW_SPILLED}};
 
 #define COLUMNS (sizeof COLUMN / sizeof *COLUMN)
 
@@ -267,8 +267,12 @@ static void balance_report(FILE *out, const void *memory, const clod_free_moment
     int64_t grains;
     fprintf(out, "  balance                     grains             kg");
     if (self->edges > 1) {
-        fprintf(out, "         kg/s, %.4g to %.4g s, +- of ten blocks", self->edge[0].time,
-                self->edge[self->edges - 1].time);
+        const int blocks = (int)self->edges - 1;
+        fprintf(out, "         kg/s, %.4g to %.4g s", self->edge[0].time,
+                self->edge[blocks].time);
+        if (blocks > 1) {
+            fprintf(out, ", +- of %d blocks", blocks);
+        }
     }
     fprintf(out, "\n");
     put_line(out, "at the start", "", self->start.inside, self->start.mass_inside, NULL);

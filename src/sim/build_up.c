@@ -349,7 +349,7 @@ static void put_object(void *context, size_t number, const target *of, const clo
     json_object_set_new(pen->all, name,
                         json_pack("{s:f, s:f, s:o, s:o, s:f, s:f}", "since_s", pen->since,
                                   "mass_kg", mass->now, "mean_kg",
-                                  clod_json_number(mass->sum / pen->self->steady), "rate_kg_s",
+                                  clod_json_number(mass->sum / pen->self->steady), "rate_kg_per_s",
                                   clod_json_number(rate), "largest_kg", mass->most,
                                   "largest_at_s", mass->most_time));
 }
@@ -365,7 +365,7 @@ static void add_paths(void *context, size_t number, const target *of, const clod
     char name[CLOD_WEAR_NAME];
     name_target(of, state, name, sizeof name);
     clod_free_paths_add(context, name,
-                        "since_s mass_kg mean_kg rate_kg_s largest_kg largest_at_s");
+                        "since_s mass_kg mean_kg rate_kg_per_s largest_kg largest_at_s");
 }
 
 static void build_up_paths(const clod_case *from, const clod_state *state,

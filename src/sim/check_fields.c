@@ -23,7 +23,7 @@ clod_check_fields_cost clod_check_fields_of(const clod_case *from, double grains
                                             double duration, double pictures)
 {
     clod_check_fields_cost all = {0};
-    const clod_steady_time steady = clod_steady_time_of(from, 0.0);
+    const clod_steady_time steady = clod_steady_time_of(from, 0.0, step);
     for (size_t k = 0; k < from->field_count; k++) {
         const clod_case_field *field = &from->fields[k];
         const bool grid = field->cell > 0.0;

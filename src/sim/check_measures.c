@@ -7,7 +7,8 @@
 
 static void warn_fields(const clod_check_subject *subject, clod_check_report *r)
 {
-    const clod_steady_time steady = clod_steady_time_of(subject->from, subject->state.time);
+    const clod_steady_time steady =
+        clod_steady_time_of(subject->from, subject->state.time, subject->state.dt);
     const bool test = clod_case_tester(subject->from) != NULL; // its means are its rows
     const double length = test ? HUGE_VAL : steady.block * CLOD_STEADY_BLOCKS;
     for (size_t k = 0; k < subject->from->field_count; k++) {

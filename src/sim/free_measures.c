@@ -94,7 +94,7 @@ clod_free_moment clod_free_measures_moment(const void *memory, const clod_case *
     return (clod_free_moment){.from = from,
                               .state = state,
                               .survey = survey,
-                              .steady = clod_steady_time_of(from, self->begin)};
+                              .steady = clod_steady_time_of(from, self->begin, state->dt)};
 }
 
 void clod_free_measures_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
@@ -120,7 +120,7 @@ int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
                                 const clod_state *state)
 {
     const clod_free_memory *self = memory;
-    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
+    const clod_steady_time steady = clod_steady_time_of(from, self->begin, state->dt);
     int64_t first = INT64_MAX;
     for (int k = 0; k < COUNT; k++) {
         if (MEASURES[k]->plan != NULL) {

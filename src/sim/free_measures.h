@@ -72,7 +72,7 @@ typedef struct clod_free_measure {
                     clod_status *status);
     /** Number of its columns in the series. */
     size_t (*columns)(const clod_case *from, const clod_state *state);
-    /** Header text of column k, with its unit: "exit.mass_flow [kg s-1]". */
+    /** Header text of column k, with its unit: "exit.mass_flow [kg/s]". */
     void (*column)(const clod_case *from, const clod_state *state, size_t k, char *text,
                    size_t size);
     /** Values of its columns, after `look`; means over the time since the last row end here. */

@@ -2,16 +2,15 @@
 
 #include <math.h>
 
+#include "sim/outputs.h"
+
 /** Of a block or a step: times are sums and products of decimal numbers. */
 #define ROUNDING 1e-6
 #define FAR_AWAY 1e15 ///< steps
 
-clod_steady_time clod_steady_time_of(const clod_case *from, double begin)
+clod_steady_time clod_steady_time_of(const clod_case *from, double begin, double dt)
 {
-    double whole = 0.0;
-    for (size_t s = 0; s < from->stage_count; s++) {
-        whole += from->stages[s].duration;
-    }
+    const double whole = (double)clod_outputs_of(from, dt).steps * dt;
     const double since =
         from->output.has_steady_since ? from->output.steady_since : whole * (2.0 / 3.0);
     return (clod_steady_time){begin + since, (whole - since) / CLOD_STEADY_BLOCKS};

@@ -13,14 +13,19 @@
 
 #define CLOD_STEADY_BLOCKS 10
 
-/** From a time to the end of the stages. */
+/** From a time to the last step of the stages, which is the one nearest to their end. */
 typedef struct clod_steady_time {
     double since; ///< s, of simulated time
     double block; ///< s
 } clod_steady_time;
 
-/** @param begin  s, time at which the run began.   Threads: pure. */
-clod_steady_time clod_steady_time_of(const clod_case *from, double begin);
+/**
+ * The steady time of a case.
+ *
+ * @param begin  s, time at which the run began;  @param dt  s
+ * Threads  pure.   Test  tests/sim/test_steady_time.c
+ */
+clod_steady_time clod_steady_time_of(const clod_case *from, double begin, double dt);
 
 /**
  * Steps from a time to a moment of the steady time; 0 in the first step at it or behind it.

@@ -63,7 +63,7 @@ static void the_end_of_the_name_is_the_unit(void **state)
     assert_string_equal(unit_of("gauges.exit.speed_m_per_s.deviation"), "m/s");
     assert_string_equal(unit_of("gauges.at_60_deg.samples"), ""); // the user's name has none
     assert_string_equal(unit_of("build_up.at_2_m.mean_kg"), "kg");
-    assert_string_equal(unit_of("build_up.floor.rate_kg_s"), "kg/s");
+    assert_string_equal(unit_of("build_up.floor.rate_kg_per_s"), "kg/s");
 }
 
 static void a_section_that_the_case_lacks_is_none(void **state)

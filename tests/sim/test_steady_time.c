@@ -2,6 +2,8 @@
 
 #include "sim/steady_time.h"
 
+#include <math.h>
+
 #include "support/check.h"
 
 static clod_case make_case(clod_case_stage *stages)
@@ -17,14 +19,36 @@ static void without_a_key_it_is_the_last_third(void **unused)
     (void)unused;
     clod_case_stage stages[2] = {0};
     clod_case from = make_case(stages);
-    clod_steady_time steady = clod_steady_time_of(&from, 100.0);
+    clod_steady_time steady = clod_steady_time_of(&from, 100.0, 0.5e-3);
     check_close(steady.since, 106.0, 1e-12);
     check_close(steady.block, 0.3, 1e-12);
     from.output.has_steady_since = true;
     from.output.steady_since = 4.0;
-    steady = clod_steady_time_of(&from, 100.0);
+    steady = clod_steady_time_of(&from, 100.0, 0.5e-3);
     check_close(steady.since, 104.0, 1e-12);
     check_close(steady.block, 0.5, 1e-12);
+}
+
+/** A stage ends with the step nearest to its end, here up to 49 us before it or behind it. */
+static void the_last_step_ends_the_last_block(void **unused)
+{
+    (void)unused;
+    static const double DT[] = {1.0e-4, 1.4998e-4, 7.777e-5, 2.62155684892191e-6};
+    clod_case_stage stages[2] = {{.duration = 1.0003}, {.duration = 1.99973}};
+    clod_case from = {.stages = stages, .stage_count = 2};
+    from.output.has_steady_since = true;
+    from.output.steady_since = 2.0;
+    for (size_t k = 0; k < sizeof DT / sizeof *DT; k++) {
+        const double dt = DT[k];
+        const int64_t last = (int64_t)(round(1.0003 / dt) + round(1.99973 / dt));
+        const clod_steady_time steady = clod_steady_time_of(&from, 100.0, dt);
+        assert_int_equal(clod_steady_time_edges(&steady, 100.0 + (double)last * dt),
+                         CLOD_STEADY_BLOCKS + 1);
+        assert_int_equal(clod_steady_time_edges(&steady, 100.0 + (double)(last - 1) * dt),
+                         CLOD_STEADY_BLOCKS);
+        assert_int_equal(clod_steady_time_steps(steady.since + 10.0 * steady.block, 100.0, dt),
+                         last);
+    }
 }
 
 static void steps_until_a_moment_are_0_once(void **unused)
@@ -68,6 +92,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_a_key_it_is_the_last_third),
+        cmocka_unit_test(the_last_step_ends_the_last_block),
         cmocka_unit_test(steps_until_a_moment_are_0_once),
         cmocka_unit_test(an_interval_counts_from_the_moment_on),
         cmocka_unit_test(blocks_begin_at_the_moment),
