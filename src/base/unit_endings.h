@@ -20,6 +20,7 @@ typedef struct clod_unit_ending {
     ROW("_N_per_m3", "N/m3", "N/m3", 1.0)                                                      \
     ROW("_m3_per_s", "m3/s", "m3/s", 1.0)                                                      \
     ROW("_kg_per_s", "kg/s", "kg/s", 1.0)                                                      \
+    ROW("_N_per_s", "N/s", "N/s", 1.0)                                                         \
     ROW("_m_per_s", "m/s", "m/s", 1.0)                                                         \
     ROW("_kg_m3", "kg/m3", "kg/m3", 1.0)                                                       \
     ROW("_per_s", "1/s", "1/s", 1.0)                                                           \

@@ -331,7 +331,7 @@ static const clod_param ROWS[] = {
      CLOD_AT(C, history_map),
      .given = offsetof(C, history_map.present),
      .help = "Maps what contacts remember, by cells of space, over a free run: where they have "
-             "gained strength.",
+             "gained strength, and where they gain it.",
      .source = "docs/clumps.md"},
     {.key = "ring_shear",
      .kind = CLOD_PARAM_SECTION,

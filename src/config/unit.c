@@ -35,6 +35,7 @@ static const clod_unit_kind KINDS[] = {
     {"J", "an energy", "energy", "mJ"},
     {"W", "a power", "power", "W"},
     {"N m", "a torque", "torque", "N m"},
+    {"N/s", "a rate of force", "force_rate", "N/s"},
     {"N/m3", "a force in a volume", "force_density", "N/m3"},
     {"m2/s2", "a speed squared", "speed_squared", "m2/s2"},
 };

@@ -13,6 +13,12 @@ typedef struct clod_law_pull {
     double force;   ///< N, >= 0
 } clod_law_pull;
 
+/** What a contact gains in a second [N/s]. */
+typedef struct clod_law_gain {
+    double pressed; ///< of the largest force that it remembers
+    double pull;    ///< of its largest pull
+} clod_law_gain;
+
 /** k1 [N/m^n] at R* [m]; hertz: times sqrt(R*). */
 double clod_law_cycle_virgin(const clod_law *law, double r_star);
 
@@ -47,3 +53,14 @@ clod_law_pull clod_law_cycle_pull(const clod_law *law, double r_star, double ove
  * Test    tests/law/test_law_pressed.c
  */
 double clod_law_cycle_pressed(const clod_law *law, double memory);
+
+/**
+ * How fast a contact gains strength: only while it is pressed deeper than ever, of luding up to d*.
+ *
+ * @param overlap   m, of the moment that the memory is of
+ * @param memory    as above
+ * @param approach  m/s, by which the overlap grows
+ * Errors  none.   Threads  pure.   Test  tests/law/test_law_gain.c
+ */
+clod_law_gain clod_law_cycle_gain(const clod_law *law, double r_star, double overlap,
+                                  double memory, double approach);

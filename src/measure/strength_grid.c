@@ -44,8 +44,11 @@ static void merge(const clod_survey_question *question, void *into, const void *
     clod_strength_cell *mine = into;
     const clod_strength_cell *other = from;
     mine->contacts += other->contacts;
+    mine->gaining += other->gaining;
     merge_force(&mine->pull_off, &other->pull_off);
     merge_force(&mine->pressed, &other->pressed);
+    merge_force(&mine->pull_off_gain, &other->pull_off_gain);
+    merge_force(&mine->pressed_gain, &other->pressed_gain);
     mine->most_pull_off = fmax(mine->most_pull_off, other->most_pull_off);
     mine->most_pressed = fmax(mine->most_pressed, other->most_pressed);
 }
@@ -92,6 +95,15 @@ static void add_contact(clod_strength_cell *cell, clod_contact_strength strength
     cell->most_pressed = fmax(cell->most_pressed, strength.pressed);
 }
 
+static void add_gain(clod_strength_cell *cell, clod_contact_gain gain)
+{
+    if (gain.pressed > 0.0) {
+        cell->gaining++;
+        add_force(&cell->pull_off_gain, gain.pull_off);
+        add_force(&cell->pressed_gain, gain.pressed);
+    }
+}
+
 static bool add(const clod_survey_question *question, const clod_survey_part *here,
                 clod_status *status)
 {
@@ -108,6 +120,7 @@ static bool add(const clod_survey_question *question, const clod_survey_part *he
                                  : -1;
         if (cell >= 0) {
             add_contact(&cells[cell], contacts->strength(contacts->laws, contact));
+            add_gain(&cells[cell], contacts->gain(contacts->laws, contact));
         }
     }
     return true;

@@ -2,7 +2,7 @@
 /**
  * @file strength_grid.h
  * What the contacts in each cell of a grid remember of their past: how many they are, their pull-off and
- * the largest force that has pressed them.
+ * the largest force that has pressed them; and how fast those that are pressed harder than ever gain both.
  */
 
 #include "measure/survey.h"
@@ -13,7 +13,8 @@ typedef struct clod_strength_grid {
     int64_t cells[3];    ///< along each axis
 } clod_strength_grid;
 
-/** A sum of forces in whole and small parts of a newton: in any order the same. */
+/** A sum of forces (or of what is gained in a second) in whole and small parts of a newton: in any
+ *  order the same. */
 typedef struct clod_strength_force {
     int64_t whole; ///< N
     int64_t small; ///< 2^-40 N, less than 1 N
@@ -21,9 +22,10 @@ typedef struct clod_strength_force {
 
 /** Sums of a cell. */
 typedef struct clod_strength_cell {
-    int64_t contacts;
+    int64_t contacts, gaining;
     clod_strength_force pull_off, pressed;
-    double most_pull_off, most_pressed; ///< N
+    clod_strength_force pull_off_gain, pressed_gain; ///< N/s
+    double most_pull_off, most_pressed;              ///< N
 } clod_strength_cell;
 
 /** Number of cells. Threads: pure. */

@@ -77,12 +77,34 @@ static const clod_strength_cell *strongest(const history_map *self,
     return best;
 }
 
+/** The cell whose contacts gained most; NULL: none did. */
+static const clod_strength_cell *gained_most(const history_map *self,
+                                             const clod_strength_grid *grid)
+{
+    const clod_strength_cell *best = NULL;
+    double most = 0.0;
+    for (int64_t k = 0; k < clod_strength_grid_cells(grid); k++) {
+        const double gained = clod_strength_force_value(&self->cell[k].pressed_gain);
+        if (gained > most) {
+            best = &self->cell[k];
+            most = gained;
+        }
+    }
+    return best;
+}
+
 static void corner_of(const clod_strength_grid *grid, int64_t k, double corner[3])
 {
     for (int a = 0; a < 3; a++) {
         corner[a] = grid->low[a] + grid->edge * (double)(k % grid->cells[a]);
         k /= grid->cells[a];
     }
+}
+
+/** Mean of a sample [N/s]. */
+static double gained(const history_map *self, const clod_strength_force *sum)
+{
+    return clod_strength_force_value(sum) / (double)self->samples;
 }
 
 static void map_report(FILE *out, const void *memory, const clod_free_moment *now)
@@ -104,6 +126,14 @@ static void map_report(FILE *out, const void *memory, const clod_free_moment *no
                 best->most_pressed, corner[0] + 0.5 * grid.edge, corner[1] + 0.5 * grid.edge,
                 corner[2] + 0.5 * grid.edge, best->most_pull_off);
     }
+    const clod_strength_cell *most = gained_most(self, &grid);
+    if (most != NULL) {
+        double corner[3];
+        corner_of(&grid, most - self->cell, corner);
+        fprintf(out, "; gains most, %.4g N/s of past force, in the one at (%.4g, %.4g, %.4g) m",
+                gained(self, &most->pressed_gain), corner[0] + 0.5 * grid.edge,
+                corner[1] + 0.5 * grid.edge, corner[2] + 0.5 * grid.edge);
+    }
     fputs(" (history_map.hdf)\n", out);
 }
 
@@ -118,7 +148,9 @@ static void map_paths(const clod_case *from, const clod_state *state, clod_free_
     (void)state;
     clod_free_paths_add(paths, NULL,
                         "since_s cells used_cells samples cell_m strongest.corner_m.[0-2] "
-                        "strongest.largest_past_force_N strongest.largest_pull_off_N");
+                        "strongest.largest_past_force_N strongest.largest_pull_off_N "
+                        "gains_most.corner_m.[0-2] gains_most.past_force_N_per_s "
+                        "gains_most.pull_off_N_per_s");
 }
 
 static json_t *map_json(const void *memory, const clod_free_moment *now)
@@ -138,6 +170,16 @@ static json_t *map_json(const void *memory, const clod_free_moment *now)
                                       corner[2], "largest_past_force_N", best->most_pressed,
                                       "largest_pull_off_N", best->most_pull_off));
     }
+    const clod_strength_cell *most = gained_most(self, &grid);
+    if (most != NULL) {
+        double corner[3];
+        corner_of(&grid, most - self->cell, corner);
+        json_object_set_new(object, "gains_most",
+                            json_pack("{s:[fff], s:f, s:f}", "corner_m", corner[0], corner[1],
+                                      corner[2], "past_force_N_per_s",
+                                      gained(self, &most->pressed_gain), "pull_off_N_per_s",
+                                      gained(self, &most->pull_off_gain)));
+    }
     return object;
 }
 
@@ -146,6 +188,8 @@ typedef struct cell_row {
     double corner[3];
     double contacts; ///< mean of a sample
     double mean_pressed, most_pressed, mean_pull_off, most_pull_off;
+    double gaining;                     ///< contacts, mean of a sample
+    double pressed_gain, pull_off_gain; ///< N/s, of all contacts of the cell, mean of a sample
 } cell_row;
 
 static cell_row row_of(const history_map *self, const clod_strength_grid *grid, int64_t k)
@@ -156,7 +200,10 @@ static cell_row row_of(const history_map *self, const clod_strength_grid *grid, 
                     .mean_pressed = clod_strength_force_value(&cell->pressed) / count,
                     .most_pressed = cell->most_pressed,
                     .mean_pull_off = clod_strength_force_value(&cell->pull_off) / count,
-                    .most_pull_off = cell->most_pull_off};
+                    .most_pull_off = cell->most_pull_off,
+                    .gaining = (double)cell->gaining / (double)self->samples,
+                    .pressed_gain = gained(self, &cell->pressed_gain),
+                    .pull_off_gain = gained(self, &cell->pull_off_gain)};
     corner_of(grid, k, row.corner);
     return row;
 }
@@ -177,6 +224,9 @@ static bool write_cells(const cell_row *rows, double (*corner)[3], size_t count,
         COLUMN("largest_past_force", "N", most_pressed),
         COLUMN("mean_pull_off", "N", mean_pull_off),
         COLUMN("largest_pull_off", "N", most_pull_off),
+        COLUMN("gaining", "1", gaining),
+        COLUMN("past_force_gain", "N/s", pressed_gain),
+        COLUMN("pull_off_gain", "N/s", pull_off_gain),
     };
 #undef COLUMN
     for (size_t k = 0; k < count; k++) {

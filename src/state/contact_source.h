@@ -13,6 +13,12 @@ typedef struct clod_contact_strength {
     double pressed;  ///< N, largest past force that it remembers; 0: none
 } clod_contact_strength;
 
+/** How fast a contact of two grains gains strength. */
+typedef struct clod_contact_gain {
+    double pull_off; ///< N/s, of its largest pull
+    double pressed;  ///< N/s, of the largest past force; 0: it is not pressed harder than ever
+} clod_contact_gain;
+
 /** What a contact does now, as its law tells from the state of the moment. */
 typedef struct clod_contact_force {
     double force[3]; ///< N, on the grain i
@@ -38,6 +44,8 @@ typedef struct clod_contact_source {
     const void *laws; ///< of the next functions, borrowed
     /** Strength of a contact; NULL: nobody knows the laws. Threads: pure. */
     clod_contact_strength (*strength)(const void *laws, const clod_contact *contact);
+    /** What a contact of two grains gains, likewise. */
+    clod_contact_gain (*gain)(const void *laws, const clod_contact *contact);
     /** Force of a contact, likewise; i and j may have been turned (clod_contact_turn). */
     clod_contact_force (*force)(const void *laws, const clod_contact *contact);
     /** Velocity of the wall's material at a contact with it [m/s], likewise. */

@@ -3,6 +3,7 @@
 #include "geometry/wall_gap.h"
 #include "geometry/wall_pose.h"
 #include "law/law_contact.h"
+#include "law/law_cycle.h"
 #include "mesh/surface_touch.h"
 
 static vreal3 vector_of(const double v[4])
@@ -40,6 +41,18 @@ static clod_law_motion meet_grain(const clod_state *state, const clod_contact *c
         .arm_j = pj[3] - 0.5 * overlap,
         .m_star = mass_i * mass_j / (mass_i + mass_j),
         .roll_inertia = a * b / (a + b)};
+}
+
+clod_contact_gain clod_step_gain_of(const void *step, const clod_contact *contact)
+{
+    const clod_step *self = step;
+    double r_star;
+    const clod_law *law = clod_step_law_of(self, contact, &r_star);
+    const clod_law_motion motion = meet_grain(self->state, contact);
+    const double memory = contact->history[CLOD_HISTORY[CLOD_HISTORY_PLASTIC].first];
+    const clod_law_gain gain = clod_law_cycle_gain(law, r_star, motion.overlap, memory,
+                                                   -vreal3_dot(motion.velocity, motion.normal));
+    return (clod_contact_gain){gain.pull, gain.pressed};
 }
 
 /** Gap between a grain and a shape of a wall where both are now; normal in space. */

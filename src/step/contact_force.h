@@ -26,5 +26,8 @@ const clod_law *clod_step_law_of(const clod_step *self, const clod_contact *cont
 /** @param step  a clod_step.   See clod_contact_source. */
 clod_contact_force clod_step_force_of(const void *step, const clod_contact *contact);
 
+/** The same of what a contact of two grains gains. */
+clod_contact_gain clod_step_gain_of(const void *step, const clod_contact *contact);
+
 /** The same of the wall's material at a contact with it. */
 void clod_step_carrier_of(const void *step, const clod_contact *contact, double velocity[3]);

@@ -62,6 +62,7 @@ clod_contact_source clod_step_contacts(clod_step *self, clod_step_reader *reader
     }
     source.laws = self;
     source.strength = strength_of;
+    source.gain = clod_step_gain_of;
     source.force = clod_step_force_of;
     source.carrier = clod_step_carrier_of;
     return source;

@@ -120,6 +120,32 @@ class Clumps(clod.Case):
         pull = K_ADH * 0.8 * PRESSED / (1 + K_ADH / 5e5)
         self.assertAlmostEqual(strongest["largest_pull_off_N"], pull, delta=1e-3 * pull)
 
+    def test_the_map_knows_where_strength_is_gained(self):
+        """Two grains meet at 20 mm/s on a soft contact, restitution 1: the overlap is 2 v/w sin(w t), the past force
+        gains k1 2 v cos(w t) until w t = pi/2 and nothing later, in one cell, which begins at (0, 0, 0)."""
+        k1, speed, rows = 10.0, 0.02, 20
+        w = math.sqrt(k1 / (0.5 * MASS))
+        self.write_rows()
+        with open(self.path("case.yaml")) as file:
+            text = file.read()
+        text = text.replace("k1: 1e5 N/m, k2: 5e5 N/m", f"k1: {k1} N/m, k2: {5 * k1} N/m").replace("restitution: 0.1", "restitution: 1")
+        text = text.replace(f"k_adh: {K_ADH} N/m", f"k_adh: {k1} N/m").replace("duration: 5 ms", f"duration: {rows} ms")
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(text.replace("snapshot_interval: 5 ms", "snapshot_interval: 5 ms, steady_since: 0 s"))
+        with open(self.path("grains.csv"), "w") as file:
+            file.write(f"x [m],y [m],z [m],radius [m],vx [m/s]\n0.002,0.01,0.01,{RADIUS},{speed}\n"
+                       f"{0.002 + 2 * RADIUS},0.01,0.01,{RADIUS},{-speed}\n")
+        done = self.go("out")
+        most = self.summary("out")["history_map"]["gains_most"]
+        told = [k1 * 2 * speed * math.cos(w * 1e-3 * row) for row in range(1, rows + 1) if w * 1e-3 * row < math.pi / 2]
+        self.assertEqual(len(told), 12)
+        gained = sum(told) / self.summary("out")["history_map"]["samples"]
+        self.assertAlmostEqual(most["past_force_N_per_s"], gained, delta=2e-3 * gained)
+        pull = 0.8 / 1.2 # k_adh (1 - k1/k2)/(1 + k_adh/k2) over k1
+        self.assertAlmostEqual(most["pull_off_N_per_s"], pull * gained, delta=2e-3 * gained)
+        self.assertEqual([round(corner, 9) for corner in most["corner_m"]], [0, 0, 0])
+        self.assertIn("; gains most, 0.1", done.stdout)
+
     def test_dry_grains_are_none(self):
         self.write_rows(k_adh=0)
         done = self.go("out")

@@ -181,13 +181,17 @@ static void check_full(const told looks[LOOKS], bool walls)
     assert_true(of->region[CLOD_CONTINUUM_MASS] > 0.0);
     assert_true(of->region[CLOD_CONTINUUM_CONTACT] != 0.0);
     assert_true(of->region[CLOD_CONTINUUM_PARTNERS] > 0.0);
-    int64_t contacts = 0;
+    int64_t contacts = 0, gaining = 0;
     double pressed = 0.0;
     for (int k = 0; k < POINTS; k++) {
         contacts += of->strength[k].contacts;
         pressed = fmax(pressed, of->strength[k].most_pressed);
+        for (int l = 0; l < LOOKS; l++) {
+            gaining += looks[l].strength[k].gaining;
+        }
     }
     assert_true(contacts > 20 && contacts < (int64_t)of->contacts.pairs && pressed > 0.0);
+    assert_true(gaining > 0); // at some look
     assert_true(of->repose.height > 0.0 && of->stock[2].count > 10.0);
 }
 
