@@ -92,15 +92,15 @@ clod_law_gain clod_law_cycle_gain(const clod_law *law, double r_star, double ove
 {
     static const double NEAR = 1e-6; // of an overlap: beyond rounding, far below a step's way
     const double pressed = clod_law_cycle_pressed(law, memory);
-    const double most = flow_overlap(law, r_star) * (1.0 - NEAR);
-    if (!(approach > 0.0 && pressed > 0.0 && pressed < most &&
-          overlap > pressed * (1.0 - NEAR))) {
+    const double more = NEAR * pressed;
+    if (!(approach > 0.0 && more > 0.0 && pressed < flow_overlap(law, r_star) &&
+          overlap > pressed - more)) {
         return (clod_law_gain){0.0, 0.0};
     }
-    const double deeper = pressed * (1.0 + NEAR);
-    const double rate = approach / (deeper - pressed);
-    return (clod_law_gain){rate * (fmax(0.0, clod_law_cycle_force(law, r_star, deeper)) -
-                                   fmax(0.0, clod_law_cycle_force(law, r_star, pressed))),
-                           rate * (clod_law_cycle_pull(law, r_star, deeper).force -
-                                   clod_law_cycle_pull(law, r_star, pressed).force)};
+    const double rate = approach / more;
+    const double force = fmax(0.0, clod_law_cycle_force(law, r_star, pressed));
+    const double pull = clod_law_cycle_pull(law, r_star, pressed).force;
+    return (clod_law_gain){
+        rate * (fmax(0.0, clod_law_cycle_force(law, r_star, pressed + more)) - force),
+        rate * (clod_law_cycle_pull(law, r_star, pressed + more).force - pull)};
 }

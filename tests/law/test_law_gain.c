@@ -19,6 +19,12 @@ static clod_law_gain gain_at(const law_probe *probe, double overlap, double appr
     return clod_law_cycle_gain(&probe->law, R_STAR, overlap, memory_of(probe), approach);
 }
 
+static void check_nothing(const law_probe *probe, double overlap, double approach)
+{
+    const clod_law_gain gain = gain_at(probe, overlap, approach);
+    assert_true(gain.pressed == 0.0 && gain.pull == 0.0);
+}
+
 /** n = 3/2: d/dt k1 d^n = n k1 sqrt(d) v, and of k_adh x with x = (1 - k1/k2) d^n/(1 + k_adh/k2). */
 static void the_ore_gains_by_hand(void **unused)
 {
@@ -47,7 +53,9 @@ static void check_path(const clod_case_contact *contact, double deepest, double 
             probe_press(&probe, middle);
             const clod_law_gain gain = gain_at(&probe, middle, part); // in a time of 1
             const bool deeper = leg == 0 || (leg == 2 && middle > stations[0]);
-            assert_true((gain.pressed > 0.0) == (deeper && middle < flow));
+            assert_true((gain.pull > 0.0) == (deeper && middle < flow));
+            const double force = clod_law_cycle_force(&probe.law, R_STAR, middle);
+            assert_true((gain.pressed > 0.0) == (deeper && middle < flow && force > 0.0));
             pressed += gain.pressed;
             pull += gain.pull;
         }
@@ -70,6 +78,10 @@ static void gains_add_up_to_what_is_remembered(void **unused)
     contact.k2 = 2.37e6;
     contact.k_adh = 3.56e5;
     check_path(&contact, DEEPEST, HUGE_VAL);
+    contact.law = CLOD_LAW_EEPA;
+    contact.pull_off_force = 0.3; // at the touch; k1 d is more from 0.6 um on
+    check_path(&contact, DEEPEST, HUGE_VAL);
+    contact.pull_off_force = 0.0;
     contact.law = CLOD_LAW_LUDING;
     contact.plasticity_depth = 0.05;
     check_path(&contact, DEEPEST, HUGE_VAL);
@@ -85,8 +97,7 @@ static void what_remembers_nothing_gains_nothing(void **unused)
     contact.law = CLOD_LAW_HERTZ;
     law_probe probe = probe_make(&contact);
     probe_path(&probe, 0.0, DEEPEST, STEPS);
-    const clod_law_gain gain = gain_at(&probe, DEEPEST, APPROACH);
-    assert_true(gain.pressed == 0.0 && gain.pull == 0.0);
+    check_nothing(&probe, DEEPEST, APPROACH);
 }
 
 static void what_parts_gains_nothing(void **unused)
@@ -95,10 +106,10 @@ static void what_parts_gains_nothing(void **unused)
     const clod_case_contact ore = contact_ore();
     law_probe probe = probe_make(&ore);
     probe_path(&probe, 0.0, DEEPEST, STEPS);
-    assert_true(gain_at(&probe, DEEPEST, 0.0).pressed == 0.0);
-    assert_true(gain_at(&probe, DEEPEST, -APPROACH).pressed == 0.0);
+    check_nothing(&probe, DEEPEST, 0.0);
+    check_nothing(&probe, DEEPEST, -APPROACH);
     probe_press(&probe, 0.99 * DEEPEST);
-    assert_true(gain_at(&probe, 0.99 * DEEPEST, APPROACH).pressed == 0.0); // on k2
+    check_nothing(&probe, 0.99 * DEEPEST, APPROACH); // on k2
 }
 
 int main(void)
