@@ -7,6 +7,7 @@ import importlib.util
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -137,11 +138,93 @@ class Cases(clod.Case):
                             (["--side-facet", "0.5"], "--side-facet: 0.5 mm makes"),
                             # the hood ends at x = 404 mm, z = 810 mm, so it is a circle about x = 4 mm: at x = 377 mm the lower side
                             # of its stream is at 810 + (395.4^2 - 373^2)^(1/2) = 941 mm, and the upright part begins at 596 mm
-                            (["--spoon-up", "5000"], "--spoon-up: 5000 mm; at most 345 mm")):
+                            (["--spoon-up", "5000"], "--spoon-up: 5000 mm; at most 345 mm"),
+                            # the middle of the stream on the pulley: (9.81 m/s2 (400 + 3) mm)^(1/2)
+                            (["--pulley-radius", "400", "--sides-from", "500"], "--speed: 1.8 m/s; at least 1.99 m/s"),
+                            (["--pulley-radius", "165"], "the chute begins at 165 mm and would stand in the pulley"),
+                            # 330 mm at the hood less 400 mm cos 55 deg
+                            (["--hood-lead", "400"], "the chute begins at 102 mm"),
+                            (["--top", "1200", "--receiving", "240", "--pulley-radius", "480", "--sides-from", "500", "--speed", "2.2",
+                              "--hood-meets", "50", "--hood-radius", "300", "--spoon-radius", "200", "--hood-lead", "100"],
+                             "less than 480 mm, half of what lies between --top and --receiving"),
+                            (["--feed-length", "600", "--pulley-radius", "220", "--sides-from", "225"],
+                             "--feed-length: 600 mm; at least three times --pulley-radius, 660 mm"),
+                            (["--feed-skirts", "119"], "--feed-skirts: 119 mm; at least --stream-width, 120 mm"),
+                            (["--feed-skirts", "251"], "at most --feed-width, 250 mm"),
+                            (["--receiving-skirts", "220"], "--receiving-skirts: 220 mm; more than --width, 220 mm"),
+                            (["--receiving-skirts", "401"], "at most --receiving-width, 400 mm"),
+                            (["--receiving-from", "779"], "the stream meets the receiving belt at 778 mm: less than that"),
+                            (["--receiving-length", "1177"], "its skirts end at 777 mm: at least 1178 mm"),
+                            (["--receiving-speed", "0"], "--receiving-speed: 0 is out of range; allowed are 0.1 to 20")):
             done = self.geometry(words)
             self.assertEqual(done.returncode, 2)
             self.assertIn(text, done.stderr)
             self.assertEqual(os.listdir(self.folder), [])
+
+    def complete(self, words, case):
+        """The complete case of a layout in SI units, from a run that does not begin to pour; what stands in `walls`, and before."""
+        self.assertEqual(self.geometry(words).returncode, 0)
+        shutil.copy(os.path.join(CASES, "transfer-chute", case), self.folder)
+        done = clod.run("run", case, "-f", "-o", "out", "-t", "1", "--set", "stages.0.duration=10 us",
+                        "--set", "output.steady_since=0 s", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return clod.read(self.path("out/case-complete.yaml")).decode().split("\nwalls:\n")
+
+    def test_belts_of_the_chute_are_those_of_its_keys(self):
+        """Every number of belts, inlet, outlets, domain and gauges that hangs on a key, in SI units; all by hand from the keys."""
+        words = {"speed": 2.5, "top": 1500, "pulley-radius": 120, "feed-length": 2000, "feed-width": 300, "feed-skirts": 200,
+                 "stream-width": 160, "flow": 9, "receiving": 200, "receiving-speed": 3, "receiving-from": 300,
+                 "receiving-length": 2500, "receiving-width": 500, "receiving-skirts": 280}
+        seen, walls = self.complete([word for key, value in words.items() for word in (f"--{key}", str(value))], "dry.yaml")
+        feed, receiving = walls[:walls.index("\n  chute:")].split("\n  receiving:")
+        for text, lines in (
+                (feed, ("from: [-2 m, 0 m, 1.5 m]", "- length: 2 m", "width: 0.3 m", "speed: 2.5 m/s", "radius: 0.12 m",
+                        "return: 0.24 m", "to: 1.8 m", "distance: 0.2 m")),
+                (receiving, ("from: [0.3 m, 0 m, 0.2 m]", "- length: 2.5 m", "width: 0.5 m", "speed: 3 m/s", "to: 1.9 m",
+                             "distance: 0.28 m")),
+                (seen, ("mass_flow: 2.5 kg/s", "min: [-1.9 m, -0.08 m, 1.56 m]", "max: [-1.6 m, 0.08 m, 1.64 m]",  # inlet
+                        "min: [-2.2 m, -0.3 m, -0.1 m]", "max: [2.75 m, 0.3 m, 1.9 m]",  # domain
+                        "min: [2.65 m, -0.3 m, 0.15 m]", "max: [2.75 m, 0.3 m, 0.6 m]",  # delivered
+                        # carried back: from 1/8 to 5/8 of the 1260 - 200 mm between both belts
+                        "min: [-2.2 m, -0.3 m, 0.3325 m]", "max: [-0.04 m, 0.3 m, 0.8625 m]",
+                        # the pulley's stream: up to 90 mm before it meets the hood, v^2 tan(45 deg) / g = 637 mm
+                        "min: [0 m, -0.175 m, 1.05 m]", "max: [0.547 m, 0.175 m, 1.7 m]",
+                        "min: [0.3 m, -0.25 m, 0.15 m]", "max: [2.65 m, 0.25 m, 0.5 m]",  # all of the receiving belt
+                        "min: [2.4 m, -0.25 m, 0.15 m]", "max: [2.42 m, 0.25 m, 0.5 m]"))):  # load
+            for line in lines:
+                self.assertRegex(text, r"\n *" + re.escape(line) + r"\n")
+
+    def test_what_is_carried_back_falls_into_its_outlet(self):
+        """A faster belt throws farther what it carries to the end of its way back; domain and outlet reach so far."""
+        self.assertEqual(self.geometry(["--speed", "2.5", "--top", "1500", "--receiving", "200"]).returncode, 0)
+        # by hand: from x = 150 mm (sin 200 deg + 2 cos 200 deg) = -333.2 mm, z = 1311.6 mm, with 2.5 m/s up at 20 deg, down to z = 325 mm:
+        # (0.8551 + (0.8551^2 + 2 x 9.81 x 0.9866)^(1/2)) / 9.81 = 0.5441 s at 2.3492 m/s, and 50 mm more
+        text = clod.read(self.path("chute.yaml")).decode()
+        self.assertIn("domain: {min: [-1661 mm, -250 mm, -100 mm]", text)
+        self.assertIn("carried_back: {spillage: true, region: {box: {min: [-1661 mm, -250 mm, 325 mm], max: [-50 mm, 250 mm, 825 mm]}}}", text)
+
+    def test_the_chute_as_it_is_laid_out_is_that_of_the_results(self):
+        """Belts, inlet and domain as they were written by hand for docs/results/transfer-chute.md, in both cases."""
+        for case in ("case.yaml", "dry.yaml"):
+            seen, walls = self.complete([], case)
+            self.assertRegex(walls, r"(?s)^  feed:.*\n  receiving:.*\n  chute:")  # the order of walls decides bits
+            self.assertEqual(re.findall(r"\n {10}(?:from|speed|width): (.*)", walls),
+                             ["[-1 m, 0 m, 1.2 m]", "0.25 m", "1.8 m/s", "[0.2 m, 0 m, 0.1 m]", "0.4 m", "1.8 m/s"])
+            for line in ("min: [-1.2 m, -0.25 m, -0.2 m]", "max: [1.95 m, 0.25 m, 1.6 m]", "mass_flow: 0.8333333333333334 kg/s",
+                         "min: [-0.9 m, -0.06 m, 1.26 m]", "max: [-0.6 m, 0.06 m, 1.34 m]", "min: [1.85 m, -0.25 m, 0.05 m]",
+                         "max: [-0.05 m, 0.25 m, 0.6 m]", "max: [0.24 m, 0.15 m, 1.4 m]", "min: [1.6 m, -0.2 m, 0.05 m]"):
+                self.assertIn(line, seen)
+
+    def test_numbers_of_the_chute_stand_in_one_file(self):
+        """A case that has a number of its own beside that of the layout is refused, and both places are told."""
+        self.assertEqual(self.geometry([]).returncode, 0)
+        with open(os.path.join(CASES, "transfer-chute", "dry.yaml")) as file:
+            text = file.read().replace("  - material: ore\n", "  - material: ore\n    inlet: {mass_flow: 40 t/h}\n")
+        with open(self.path("own.yaml"), "w") as file:
+            file.write(text)
+        done = clod.run("check", "own.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"mass_flow: is given in \S*chute.yaml too, in line \d+; keep one of them")
 
     def test_facets_of_the_chute_are_counted(self):
         """The number that is printed is that of the file, and a finer --facet makes more of them."""
@@ -182,6 +265,9 @@ class Cases(clod.Case):
         for words, text in ((["--hood-to", "75"], ""), (["--hood-to", "90"], ""), (["--stream", "25", "--flow", "40"], ""),
                             (["--hood-to", "60"], "1.6 times as long as it takes"),
                             (["--hood-to", "66"], "3.6 times as long as it takes"),
+                            # (1.8^2 - 1^2) m2/s2 / (2 x 0.6 x 9.81 m/s2) = 190 mm; 591 mm with the 400 mm of the inlet
+                            (["--feed-length", "590"], "from the inlet to the pulley are 190 mm: at least 591 mm"),
+                            (["--feed-length", "591"], ""),
                             # 3 t/h / (1.8 m/s x 120 mm x 1500 kg/m3) = 2.6 mm
                             (["--stream", "25"], "are 2.6 mm thick")):
             done = self.geometry(words)
