@@ -66,6 +66,16 @@ typedef struct clod_kernel_search {
     double inverse_period[3]; ///< 1/m
 } clod_kernel_search;
 
+/** Where grains are and will be while a near list holds (near_skins.h). */
+typedef struct clod_kernel_courses {
+    const double (*position)[4];
+    const float (
+        *course)[4];  ///< m/s, as each is expected to move; m, by which it may leave that
+    double horizon;   ///< s, that the list holds at most; 0: all are expected to stay
+    double period[3]; ///< m; 0 where the domain is open
+    double inverse_period[3]; ///< 1/m
+} clod_kernel_courses;
+
 /** What drift saw: the fastest grain, and whether every number is finite. */
 typedef struct clod_kernel_speed {
     double max_speed2; ///< m2/s2
@@ -126,6 +136,14 @@ typedef struct clod_kernel {
      */
     uint64_t (*within)(const clod_kernel_search *search, const double p[4], size_t first,
                        size_t count);
+    /**
+     * Which of up to 64 pairs of rows can touch while a near list holds, because courses bring them
+     * nearer to each other than radii and skins: bit k for the pair i[k], j[k].
+     *
+     * @param i, j  [count, whole vectors] rows
+     */
+    uint64_t (*can_touch)(const clod_kernel_courses *courses, const int32_t *i,
+                          const int32_t *j, size_t count);
 } clod_kernel;
 
 /**
