@@ -7,24 +7,36 @@
 #include "step/kernel_contact.h"
 
 /** As within_skin of step/cells.c, operation by operation. */
-static uint64_t kernel_within(const clod_kernel_search *self, const double p[4], size_t first,
-                              size_t count)
+static inline unsigned kernel_within_some(const clod_kernel_search *self, const double p[4],
+                                          size_t first)
+{
+    vreal s[3];
+    for (int a = 0; a < 3; a++) {
+        s[a] = vreal_set(p[a]) - vreal_load(&self->place[a][first]);
+        if (self->period[a] > 0.0) {
+            s[a] = kernel_image(s[a], self->period[a], self->inverse_period[a]);
+        }
+    }
+    const vreal reach =
+        vreal_set(p[3]) + vreal_load(&self->place[3][first]) + vreal_set(self->skin);
+    const vreal square = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
+    return vmask_bits(vmask_less(square, reach * reach));
+}
+
+static size_t kernel_within(const clod_kernel_search *self, const double p[4], int32_t row,
+                            size_t first, size_t count, int32_t *found)
 {
     uint64_t bits = 0;
     for (size_t k = 0; k < count; k += CLOD_WIDTH) {
-        vreal s[3];
-        for (int a = 0; a < 3; a++) {
-            s[a] = vreal_set(p[a]) - vreal_load(&self->place[a][first + k]);
-            if (self->period[a] > 0.0) {
-                s[a] = kernel_image(s[a], self->period[a], self->inverse_period[a]);
-            }
-        }
-        const vreal reach =
-            vreal_set(p[3]) + vreal_load(&self->place[3][first + k]) + vreal_set(self->skin);
-        const vreal square = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
-        bits |= (uint64_t)vmask_bits(vmask_less(square, reach * reach)) << k;
+        bits |= (uint64_t)kernel_within_some(self, p, first + k) << k;
     }
-    return count < 64 ? bits & ~(~(uint64_t)0 << count) : bits;
+    bits = count < 64 ? bits & ~(~(uint64_t)0 << count) : bits;
+    size_t rows = 0;
+    for (; bits != 0; bits &= bits - 1) { // every other row is an earlier one: no branch
+        found[rows] = self->row[first + (size_t)__builtin_ctzll(bits)];
+        rows += found[rows] > row;
+    }
+    return rows;
 }
 
 static inline vreal3 kernel_courses_apart(const clod_kernel_courses *self, const vreal a[4],
