@@ -87,14 +87,17 @@ bool clod_cells_begin(clod_neighbour *self, size_t grains)
     const size_t cells = cells_of(&self->grid);
     if (cells + 1 > self->cell_capacity) {
         clod_memory_free(self->cell_start);
+        clod_memory_free(self->cell_last);
         self->cell_capacity = cells + cells / 2 + 1;
         self->cell_start = clod_memory_alloc(self->cell_capacity, sizeof *self->cell_start);
-        if (self->cell_start == NULL) {
+        self->cell_last = clod_memory_alloc(self->cell_capacity, sizeof *self->cell_last);
+        if (self->cell_start == NULL || self->cell_last == NULL) {
             self->cell_capacity = 0;
             return false;
         }
     }
     memset(self->cell_start, 0, (cells + 1) * sizeof *self->cell_start);
+    memset(self->cell_last, -1, cells * sizeof *self->cell_last);
     self->place_stride = grains + CLOD_LANES; // a vector may read beyond the last grain
     return clod_room_for(&self->cell_place, &self->place_capacity, 4 * self->place_stride,
                          sizeof *self->cell_place);
@@ -111,6 +114,20 @@ static int32_t add(int32_t *number, int32_t by, bool shared)
     return was;
 }
 
+/** Note a row of a cell, if it is the last one yet. */
+static void note_row(int32_t *last, int32_t row, bool shared)
+{
+    int32_t was = *last;
+    if (!shared) {
+        *last = row > was ? row : was;
+        return;
+    }
+    was = __atomic_load_n(last, __ATOMIC_RELAXED);
+    while (was < row && !__atomic_compare_exchange_n(last, &was, row, true, __ATOMIC_RELAXED,
+                                                     __ATOMIC_RELAXED)) {
+    }
+}
+
 void clod_cells_count(clod_neighbour *self, const clod_state *state, clod_chunk grains,
                       bool shared)
 {
@@ -118,6 +135,7 @@ void clod_cells_count(clod_neighbour *self, const clod_state *state, clod_chunk 
     for (size_t g = grains.begin; g < grains.end; g++) {
         self->cell_of[g] = clod_cells_at(&self->grid, place[g]);
         add(&self->cell_start[self->cell_of[g] + 1], 1, shared);
+        note_row(&self->cell_last[self->cell_of[g]], (int32_t)g, shared);
     }
 }
 
@@ -178,16 +196,17 @@ static int around_x(const clod_cells_grid *grid, int32_t c, int32_t first[2], in
     return wraps ? 2 : 1;
 }
 
-/** Later partners of i in a run of cells. */
+/** Later partners of i among some grains. */
 static bool search_run(const clod_neighbour *self, const clod_kernel_search *search,
                        const double p[4], size_t i, clod_chunk items, clod_pairs *to)
 {
+    int32_t found[64];
     for (size_t first = items.begin; first < items.end; first += 64) {
         const size_t left = items.end - first;
-        uint64_t bits = self->kernel->within(search, p, first, left < 64 ? left : 64);
-        for (; bits != 0; bits &= bits - 1) {
-            const size_t j = (size_t)self->cell_item[first + (size_t)__builtin_ctzll(bits)];
-            if (j > i && !clod_neighbour_add(to, j)) {
+        const size_t rows =
+            self->kernel->within(search, p, (int32_t)i, first, left < 64 ? left : 64, found);
+        for (size_t k = 0; k < rows; k++) {
+            if (!clod_neighbour_add(to, (size_t)found[k])) {
                 return false;
             }
         }
@@ -195,10 +214,20 @@ static bool search_run(const clod_neighbour *self, const clod_kernel_search *sea
     return true;
 }
 
-/** Grains of the cells [first, last], which lie one behind the other. */
-static clod_chunk items_of(const clod_neighbour *self, size_t grains, int32_t first,
+/** Grains of the cells [first, last], which lie one behind the other, without cells at their ends
+ *  that have no row beyond i. */
+static clod_chunk items_of(const clod_neighbour *self, size_t grains, size_t i, int32_t first,
                            int32_t last)
 {
+    while (first <= last && self->cell_last[first] <= (int32_t)i) {
+        first++;
+    }
+    if (first > last) {
+        return (clod_chunk){0, 0};
+    }
+    while (self->cell_last[last] <= (int32_t)i) {
+        last--;
+    }
     const size_t next = (size_t)last + 1;
     return (clod_chunk){(size_t)self->cell_start[first + 1],
                         next == cells_of(&self->grid) ? grains
@@ -207,7 +236,7 @@ static clod_chunk items_of(const clod_neighbour *self, size_t grains, int32_t fi
 
 static clod_kernel_search search_of(const clod_neighbour *self, const clod_domain *domain)
 {
-    clod_kernel_search search = {.skin = self->skin};
+    clod_kernel_search search = {.skin = self->skin, .row = self->cell_item};
     for (size_t c = 0; c < 4; c++) {
         search.place[c] = self->cell_place + c * self->place_stride;
     }
@@ -244,15 +273,18 @@ static bool search_around(const clod_neighbour *self, const clod_state *state,
     const int nx = around_x(grid, clod_cells_along(grid, 0, p[0]), first, last);
     const int ny = around(grid, 1, clod_cells_along(grid, 1, p[1]), y);
     const int nz = around(grid, 2, clod_cells_along(grid, 2, p[2]), z);
-    for (int c = 0; c < nx * ny * nz; c++) {
-        const int32_t line = (z[c / (nx * ny)] * grid->n[1] + y[c / nx % ny]) * grid->n[0];
-        const clod_chunk items =
-            items_of(self, state->grains.count, line + first[c % nx], line + last[c % nx]);
-        if (!search_run(self, search, p, i, items, to)) {
-            return false;
+    bool room = true;
+    for (int c = 0; c < nz; c++) {
+        for (int b = 0; b < ny; b++) {
+            const int32_t line = (z[c] * grid->n[1] + y[b]) * grid->n[0];
+            for (int a = 0; a < nx; a++) {
+                const clod_chunk items =
+                    items_of(self, state->grains.count, i, line + first[a], line + last[a]);
+                room = room && search_run(self, search, p, i, items, to);
+            }
         }
     }
-    return true;
+    return room;
 }
 
 bool clod_cells_find_pairs(const clod_neighbour *self, const clod_state *state, size_t begin,

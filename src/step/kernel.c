@@ -24,5 +24,6 @@ const clod_kernel KERNEL_NAME(CLOD_SIMD_SUFFIX) = {
     .wall_stored = kernel_wall_stored,
     .drift = kernel_drift,
     .within = kernel_within,
+    .can_touch = kernel_can_touch,
     .kick = kernel_kick,
 };

@@ -61,10 +61,21 @@ typedef struct clod_stored_block {
 /** Places among which those near one are searched. */
 typedef struct clod_kernel_search {
     const double *place[4];   ///< x, y, z and radius of each [m]; readable 8 beyond the last
+    const int32_t *row;       ///< of each
     double skin;              ///< m
     double period[3];         ///< m; 0 where the domain is open
     double inverse_period[3]; ///< 1/m
 } clod_kernel_search;
+
+/** Where grains are and will be while a near list holds (near_skins.h). */
+typedef struct clod_kernel_courses {
+    const double (*position)[4];
+    const float (
+        *course)[4];  ///< m/s, as each is expected to move; m, by which it may leave that
+    double horizon;   ///< s, that the list holds at most; 0: all are expected to stay
+    double period[3]; ///< m; 0 where the domain is open
+    double inverse_period[3]; ///< 1/m
+} clod_kernel_courses;
 
 /** What drift saw: the fastest grain, and whether every number is finite. */
 typedef struct clod_kernel_speed {
@@ -121,11 +132,23 @@ typedef struct clod_kernel {
     void (*kick)(double (*velocity)[4], double (*angular_velocity)[4], double (*load)[8],
                  const double gravity[3], double dt, size_t begin, size_t end);
     /**
-     * Which of up to 64 grains, from number `first` on, are within their radii and the skin of
-     * one at p [x, y, z, radius]: bit k for grain first + k.
+     * Rows beyond that of a grain at p [x, y, z, radius] whose grains are within their radii and the
+     * skin of it.
+     *
+     * @param first, count  of those that are looked at, at most 64
+     * @param found         [64] the rows, in any order
+     * @return              how many
      */
-    uint64_t (*within)(const clod_kernel_search *search, const double p[4], size_t first,
-                       size_t count);
+    size_t (*within)(const clod_kernel_search *search, const double p[4], int32_t row,
+                     size_t first, size_t count, int32_t *found);
+    /**
+     * Which of up to 64 pairs of rows can touch while a near list holds, because courses bring them
+     * nearer to each other than radii and skins: bit k for the pair i[k], j[k].
+     *
+     * @param i, j  [count, whole vectors] rows
+     */
+    uint64_t (*can_touch)(const clod_kernel_courses *courses, const int32_t *i,
+                          const int32_t *j, size_t count);
 } clod_kernel;
 
 /**

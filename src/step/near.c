@@ -22,15 +22,6 @@
 /** an origin and an own skin in float, both at most half of the wide skin, as a part of that. */
 #define FLOAT_ROUNDING 1e-7
 
-static bool pair_is_near(const clod_near_job *job, size_t i, size_t j)
-{
-    const clod_domain *domain = &job->state->domain;
-    const double *a = job->state->grains.position[i], *b = job->state->grains.position[j];
-    return clod_near_can_touch(job, i, j, clod_domain_separation(domain, 0, a[0], b[0]),
-                               clod_domain_separation(domain, 1, a[1], b[1]),
-                               clod_domain_separation(domain, 2, a[2], b[2]));
-}
-
 static bool wall_is_near(const clod_near_job *job, const clod_wall_candidate *c)
 {
     double p[3];
@@ -49,22 +40,61 @@ static void add_work(const clod_near_job *job, size_t grain, int32_t work)
     }
 }
 
-void clod_near_mark(const clod_near_job *job, int part)
+static clod_kernel_courses courses_of(const clod_near_job *job)
 {
-    const clod_state *state = job->state;
+    clod_kernel_courses courses = {.position = (const double(*)[4])job->state->grains.position,
+                                   .course = (const float(*)[4])job->near->course,
+                                   .horizon = job->near->follow ? job->skins.horizon : 0.0};
+    const clod_domain *domain = &job->state->domain;
+    for (int a = 0; a < 3; a++) {
+        if (domain->periodic[a]) {
+            courses.period[a] = domain->max[a] - domain->min[a];
+            courses.inverse_period[a] = 1.0 / courses.period[a];
+        }
+    }
+    return courses;
+}
+
+/** Pairs that are looked at together. */
+#define TOGETHER 64
+
+/** Candidates [first, first + count) of the pairs. */
+static void mark_some(const clod_near_job *job, const clod_kernel_courses *courses,
+                      const int32_t *i, const int32_t *j, size_t first, size_t count)
+{
+    clod_partner *item = job->neighbour->pairs.item + first;
+    const uint64_t near = job->neighbour->kernel->can_touch(courses, i, j, count);
+    for (size_t k = 0; k < count; k++) {
+        item[k].near = (near >> k) & 1;
+    }
+    for (uint64_t left = job->near->parts > 1 ? near : 0; left != 0; left &= left - 1) {
+        add_work(job, (size_t)j[__builtin_ctzll(left)], CLOD_NEAR_PAIR_WORK);
+    }
+}
+
+static void mark_pairs(const clod_near_job *job, clod_chunk rows)
+{
+    const clod_kernel_courses courses = courses_of(job);
     const clod_pairs *pairs = &job->neighbour->pairs;
-    const int parts = job->near->parts;
-    const clod_chunk rows = clod_threads_chunk(state->grains.count, part, parts);
-    for (size_t i = rows.begin; i < rows.end; i++) {
-        for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
-            const size_t j = pairs->item[k].j;
-            const bool near = pair_is_near(job, i, j);
-            pairs->item[k].near = near;
-            if (near) {
-                add_work(job, j, CLOD_NEAR_PAIR_WORK);
+    int32_t i[TOGETHER] = {0}, j[TOGETHER] = {0};
+    size_t count = 0, next = pairs->start[rows.begin];
+    for (size_t row = rows.begin; row < rows.end; row++) {
+        for (; next < pairs->start[row + 1]; next++) {
+            i[count] = (int32_t)row;
+            j[count++] = (int32_t)pairs->item[next].j;
+            if (count == TOGETHER) {
+                mark_some(job, &courses, i, j, next + 1 - count, count);
+                count = 0;
             }
         }
     }
+    mark_some(job, &courses, i, j, next - count, count);
+}
+
+void clod_near_mark(const clod_near_job *job, int part)
+{
+    const int parts = job->near->parts;
+    mark_pairs(job, clod_threads_chunk(job->state->grains.count, part, parts));
     const clod_wall_candidates *walls = &job->neighbour->walls;
     const clod_chunk items = clod_threads_chunk(walls->count, part, parts);
     for (size_t k = items.begin; k < items.end; k++) {
@@ -236,9 +266,7 @@ static bool reserve(const clod_near_job *job)
 {
     clod_near *self = job->near;
     const size_t walls = (size_t)job->state->walls.count;
-    return clod_room_for(&self->skin, &self->skin_capacity, job->state->grains.count,
-                         sizeof *self->skin) &&
-           clod_room_for(&self->origin, &self->origin_capacity, job->state->grains.count,
+    return clod_room_for(&self->origin, &self->origin_capacity, job->state->grains.count,
                          sizeof *self->origin) &&
            clod_room_for(&self->course, &self->course_capacity, job->state->grains.count,
                          sizeof *self->course) &&
@@ -301,9 +329,7 @@ bool clod_near_reserve_dissipated(clod_near *self)
 
 void clod_near_give_skins_back(clod_near *self)
 {
-    const size_t skins = self->skin_capacity * sizeof *self->skin;
     const size_t origins = self->origin_capacity * sizeof *self->origin;
-    clod_memory_give_back(self->skin, skins, skins);
     clod_memory_give_back(self->origin, origins, origins);
     const size_t courses = self->course_capacity * sizeof *self->course;
     clod_memory_give_back(self->course, courses, courses);
@@ -353,7 +379,6 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->between.run);
     clod_memory_free(self->between.run_start);
     clod_memory_free(self->part_start);
-    clod_memory_free(self->skin);
     clod_memory_free(self->origin);
     clod_memory_free(self->course);
     clod_memory_free(self->watch);

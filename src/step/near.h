@@ -63,11 +63,10 @@ typedef struct clod_near_watch {
 } clod_near_watch;
 
 typedef struct clod_near {
-    float *skin;        ///< [grains] m, by which each may leave its course: its own skin
     float (*origin)[3]; ///< [grains] m, where each was then, from its place at the last rebuild
-    float (*course)[3]; ///< [grains] m/s, as each moved then
+    float (*course)[4]; ///< [grains] m/s, as each moved then; m, by which it may leave that
     clod_near_watch *watch; ///< [rows and cuts: clod_near_watches]
-    size_t skin_capacity, origin_capacity, course_capacity, watch_capacity;
+    size_t origin_capacity, course_capacity, watch_capacity;
     bool follow;      ///< grains are expected to go on along their courses; else to stay
     double horizon;   ///< s, that the list holds at most when they are
     double rounding;  ///< m, no less than what the two above are wrong by

@@ -17,7 +17,7 @@ void clod_near_choose_skins(const clod_near_job *job, int part)
     for (size_t g = rows.begin; g < rows.end; g++) {
         const double *v = job->state->grains.velocity[g];
         const double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        job->near->skin[g] = (float)fmin(skins->least + skins->time * speed, skins->most);
+        job->near->course[g][3] = (float)fmin(skins->least + skins->time * speed, skins->most);
         for (int a = 0; a < 3; a++) {
             job->near->course[g][a] = (float)v[a];
         }
@@ -56,7 +56,7 @@ clod_near_seen clod_near_look(const clod_near *self, const clod_state *state, do
         const double gone = length_of(x, y, z);
         const double off = length_of(x - age * u, y - age * v, z - age * w);
         const double speed = u * u + v * v + w * w;
-        const double left = (double)self->skin[g] - (self->follow ? off : gone);
+        const double left = (double)self->course[g][3] - (self->follow ? off : gone);
         seen.left = left < seen.left ? left : seen.left;
         seen.fastest = speed > seen.fastest ? speed : seen.fastest;
         seen.gone += gone;

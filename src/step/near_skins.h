@@ -56,33 +56,5 @@ static inline double clod_near_middle(const clod_near_job *job, size_t grain, do
         middle[a] = p[a] + way;
         square += way * way;
     }
-    return (double)job->near->skin[grain] + sqrt(square);
-}
-
-/**
- * Whether two grains can touch while the list holds: their courses bring them nearer to each other
- * than radii and skins.
- *
- * @param x, y, z  m, of grain i less that of grain j
- */
-static inline bool clod_near_can_touch(const clod_near_job *job, size_t i, size_t j, double x,
-                                       double y, double z)
-{
-    const clod_near *near = job->near;
-    const double(*at)[4] = (const double(*)[4])job->state->grains.position;
-    const double reach = at[i][3] + at[j][3] + (double)near->skin[i] + (double)near->skin[j];
-    if (near->follow) {
-        const float *a = near->course[i], *b = near->course[j];
-        const double u = (double)a[0] - (double)b[0], v = (double)a[1] - (double)b[1],
-                     w = (double)a[2] - (double)b[2];
-        const double closing = -(x * u + y * v + z * w), square = u * u + v * v + w * w;
-        if (closing > 0.0) { // where they are nearest, if that is before the list ends
-            const double time =
-                closing < job->skins.horizon * square ? closing / square : job->skins.horizon;
-            x += time * u;
-            y += time * v;
-            z += time * w;
-        }
-    }
-    return x * x + y * y + z * z < reach * reach;
+    return (double)course[3] + sqrt(square);
 }

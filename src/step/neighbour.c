@@ -80,16 +80,10 @@ static void reserve_pairs(clod_pairs *self, size_t count)
     self->capacity = self->item != NULL ? count : 0;
 }
 
-bool clod_neighbour_add(clod_pairs *self, size_t j)
+bool clod_neighbour_grow(clod_pairs *self)
 {
-    const bool room = !self->fixed ? clod_room_for_one(&self->item, &self->capacity,
-                                                       self->count, sizeof *self->item)
-                                   : self->count < self->capacity;
-    if (self->count == CLOD_LIMITS_PAIRS || !room) { // start could not tell where they are
-        return false;
-    }
-    self->item[self->count++] = (clod_partner){(uint32_t)j & 0x7fffffff, 0};
-    return true;
+    return !self->fixed &&
+           clod_room_for_one(&self->item, &self->capacity, self->count, sizeof *self->item);
 }
 
 static bool walls_at_rebuild(clod_neighbour *self, const clod_state *state)
@@ -369,6 +363,7 @@ void clod_neighbour_give_back(clod_neighbour *self)
     const size_t places = self->place_capacity * sizeof *self->cell_place;
     clod_memory_give_back(self->cell_place, places, places);
     clod_memory_give_back(self->cell_start, cells, cells);
+    clod_memory_give_back(self->cell_last, cells, cells);
 }
 
 static void free_walls(clod_wall_candidates *walls)
@@ -392,6 +387,7 @@ void clod_neighbour_fini(clod_neighbour *self)
     clod_memory_free(self->cell_of);
     clod_memory_free(self->cell_item);
     clod_memory_free(self->cell_start);
+    clod_memory_free(self->cell_last);
     clod_memory_free(self->cell_place);
     clod_memory_free(self->sort);
     clod_memory_free(self->sort_scratch);

@@ -15,6 +15,7 @@
 #include "geometry/wall_rows.h"
 #include "law/law.h"
 #include "parallel/threads.h"
+#include "state/limits.h"
 #include "state/state.h"
 #include "step/kernel.h"
 
@@ -107,6 +108,7 @@ typedef struct clod_neighbour {
     // scratch, kept between rebuilds
     int32_t *cell_of, *cell_item; ///< [grains]; cell_of also counts contacts by grain
     int32_t *cell_start;          ///< [cells + 1], see cells.h
+    int32_t *cell_last;           ///< [cells] last row in each; -1: none
     double *
         cell_place; ///< [4][place_stride] x, y, z and radius of grains in the order of cell_item
     size_t cell_capacity, grain_capacity, place_stride, place_capacity;
@@ -245,8 +247,19 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
 /** Room for the grains there are in the arrays of the search; false without memory. */
 bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_status *status);
 
+/** Room for one more candidate; false without. */
+bool clod_neighbour_grow(clod_pairs *self);
+
 /** Add a pair at the end of the candidates; false without room, and beyond the limit. */
-bool clod_neighbour_add(clod_pairs *self, size_t j);
+static inline bool clod_neighbour_add(clod_pairs *self, size_t j)
+{
+    if (self->count == CLOD_LIMITS_PAIRS || // start could not tell where they are
+        (self->count >= self->capacity && !clod_neighbour_grow(self))) {
+        return false;
+    }
+    self->item[self->count++] = (clod_partner){(uint32_t)j & 0x7fffffff, 0};
+    return true;
+}
 
 /** Say that a grain is far from what it touched one step before; false. */
 bool clod_neighbour_fail_separated(const clod_state *state, uint64_t id, clod_status *status);

@@ -29,7 +29,7 @@ static void two_grains(scene *s, double speed, bool floor_moves)
 /** How far a grain may go by the list there is [m]. */
 static double skin_of(const scene *s, size_t row)
 {
-    return (double)s->step.near.skin[row];
+    return (double)s->step.near.course[row][3];
 }
 
 /** Row of the faster of two grains. */
