@@ -107,12 +107,12 @@ static void warn_specimen(const clod_shear_cell *cell, clod_check_report *r)
     warn_inertia(cell, r);
     warn_count(cell, r);
     const double across = fmin(r->across_width, r->across_depth);
-    if (across < CLOD_LIMITS_GRAINS) {
+    if (across < CLOD_LIMITS_ACROSS) {
         clod_check_warning(
             r,
             "only %.1f grain diameters across the %s of the specimen (at least %.0f): walls, "
             "not the solid, set the strength. Use a larger cell or smaller grains",
-            across, r->across_width < r->across_depth ? "width" : "depth", CLOD_LIMITS_GRAINS);
+            across, r->across_width < r->across_depth ? "width" : "depth", CLOD_LIMITS_ACROSS);
     }
 }
 

@@ -145,11 +145,11 @@ json_t *clod_ring_warnings(const clod_case *from, const clod_part *part, int par
     const clod_ring_shear *first = part[0].test;
     const double gap = fmin(cell.width, first->preshear_height);
     const double across = gap / (2.0 * cell.radius_mean);
-    if (across < CLOD_LIMITS_GRAINS) {
+    if (across < CLOD_LIMITS_ACROSS) {
         clod_warning_box_add(list,
                              "only %.1f grain diameters across the specimen; %.0f are wanted. "
                              "Use a larger cell or smaller grains",
-                             across, CLOD_LIMITS_GRAINS);
+                             across, CLOD_LIMITS_ACROSS);
     }
     return list;
 }

@@ -16,7 +16,7 @@ enum { CLOD_LIMITS_COARSE_STEPS = 200 };   ///< per row of the series, at consta
 #define CLOD_LIMITS_INERTIA_GOOD                                                               \
     1e-3 ///< inertial number of quasi-static shear (docs/theory/time-step.md)
 #define CLOD_LIMITS_INERTIA 1.2e-3    ///< warned of: docs/theory/time-step.md says "about"
-#define CLOD_LIMITS_GRAINS 5.0        ///< fewest grain diameters across width and height
+#define CLOD_LIMITS_ACROSS 5.0        ///< fewest grain diameters across width and height
 #define CLOD_LIMITS_WALL_GRAINS 3.0   ///< fewest across a specimen on a wall, in all directions
 #define CLOD_LIMITS_BARS_GRAINS 2.0   ///< fewest between bars and plate: else grains roll there
 #define CLOD_LIMITS_FREE_GRAINS 10.0  ///< fewest across a specimen that stands by itself
