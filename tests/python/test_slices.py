@@ -258,6 +258,17 @@ class Slices(clod.Case):
         pages.free_run(self.path("other"))
         self.assertNotIn("Slices of the fields", self.compare("none", "other").text)
 
+    def test_many_runs(self):
+        """Twelve of fourteen are shown, whose first has no field."""
+        names = [f"run{k:02}" for k in range(14)]
+        pages.free_run(self.path(names[0]))
+        for name in names[1:]:
+            self.by_hand(name=name)
+        page = self.compare(*names)
+        self.assertEqual([name for name in page.figures if name.startswith("field-bed-density")],
+                         [f"field-bed-density-{name}" for name in names[1:13]])
+        self.assertIn("Left out: run13 (the first runs alone are shown).", self.said(page))
+
     def frames(self, name, *moments):
         """Frames of a run at these times, whose speed is the number of the frame."""
         entries = [{"name": f"field_bed-{k:06}.hdf", "time": time} for k, time in enumerate(moments)]
