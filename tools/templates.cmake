@@ -12,6 +12,8 @@ foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5/case.yaml" "JENIKE=copper-ore-je
     "LAB_TO_OUTLET_RING=lab-to-outlet/ring.yaml" "LAB_TO_OUTLET_OUTLET=lab-to-outlet/outlet.yaml"
     "LAB_TO_OUTLET_SIDE=lab-to-outlet/side.obj" "LAB_TO_OUTLET_CHUTE=lab-to-outlet/chute.yaml"
     "LAB_TO_OUTLET_CHUTE_MESH=lab-to-outlet/chute.obj"
+    "LAB_TO_OUTLET_WALL_LINER=lab-to-outlet/wall-liner.csv" "LAB_TO_OUTLET_WALL_RUST=lab-to-outlet/wall-rust.csv"
+    "LAB_TO_OUTLET_PLAN_WALL=lab-to-outlet/plan-wall.yaml" "LAB_TO_OUTLET_WALL_CASE=lab-to-outlet/wall.yaml"
     "TRANSFER_CHUTE=transfer-chute/case.yaml" "TRANSFER_CHUTE_DRY=transfer-chute/dry.yaml"
     "TRANSFER_CHUTE_LAYOUT=transfer-chute/chute.yaml" "TRANSFER_CHUTE_MESH=transfer-chute/chute.obj"
     "TRANSFER_CHUTE_GEOMETRY=transfer-chute/geometry")

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "report/series_compare.h"
 #include "report/shear.h"
+#include "report/slice_compare.h"
 
 bool clod_compare_figures_shear(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                                 const json_t *lab, clod_status *status)
@@ -51,5 +52,5 @@ bool clod_compare_figures_free(clod_sheet *sheet, const clod_run_files *runs, si
     clod_sheet_columns(sheet, true);
     const bool good = clod_series_compare_free(sheet, runs, count, status);
     clod_sheet_columns(sheet, false);
-    return good;
+    return good && clod_slice_compare_put(sheet, runs, count, status);
 }

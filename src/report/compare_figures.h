@@ -18,6 +18,6 @@ bool clod_compare_figures_shear(clod_sheet *sheet, const clod_run_files *runs, s
 bool clod_compare_figures_uniaxial(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                                    const json_t *lab, clod_status *status);
 
-/** The columns that matter most and that all have. Errors  as above. */
+/** The columns that matter most and that all have, and slices of fields. Errors  as above. */
 bool clod_compare_figures_free(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                                const json_t *lab, clod_status *status);

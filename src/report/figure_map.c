@@ -17,17 +17,28 @@ void clod_figure_map_set(clod_figure *figure, const clod_figure_map *map)
         figure->lost = true;
         return;
     }
-    self->least = 0.0;
-    self->most = -HUGE_VAL;
-    for (size_t k = 0; k < self->columns * self->rows; k++) {
-        if (isfinite(self->number[k])) {
-            self->least = fmin(self->least, self->number[k]);
-            self->most = fmax(self->most, self->number[k]);
+    clod_figure_map_share(figure, 1);
+}
+
+void clod_figure_map_share(clod_figure *figures, size_t count)
+{
+    double least = 0.0, most = -HUGE_VAL;
+    for (size_t f = 0; f < count; f++) {
+        const clod_figure_map *map = &figures[f].map;
+        for (size_t k = 0; map->number != NULL && k < map->columns * map->rows; k++) {
+            if (isfinite(map->number[k])) {
+                least = fmin(least, map->number[k]);
+                most = fmax(most, map->number[k]);
+            }
         }
     }
-    self->most = fmax(self->most, self->least < 0.0 ? 0.0 : self->most);
-    if (!(self->most > self->least)) {
-        self->most = self->least + 1.0;
+    most = fmax(most, least < 0.0 ? 0.0 : most);
+    if (!(most > least)) {
+        most = least + 1.0;
+    }
+    for (size_t f = 0; f < count; f++) {
+        figures[f].map.least = least;
+        figures[f].map.most = most;
     }
 }
 

@@ -30,6 +30,15 @@ typedef struct clod_figure_map_place {
  */
 void clod_figure_map_set(clod_figure *figure, const clod_figure_map *map);
 
+/**
+ * Give the maps of several figures the same colours: from 0, or the least number of all below it, to the
+ * greatest number of all, with the exceptions above.
+ *
+ * @param figures  [count] with a map each
+ * Test    tests/report/test_figure_map.c
+ */
+void clod_figure_map_share(clod_figure *figures, size_t count);
+
 /** Number of the shade of a value, 0 to CLOD_FIGURE_MAP_SHADES - 1; -1: blank. */
 int clod_figure_map_shade(const clod_figure_map *self, double value);
 

@@ -206,6 +206,21 @@ const char *clod_run_files_part(const clod_run_files *self, size_t k)
     return json_string_value(json_object_get(part, "part"));
 }
 
+void clod_run_files_gravity(const clod_run_files *self, double gravity[3])
+{
+    clod_arena arena = {0};
+    clod_report errors = {.name = "case-complete.yaml"};
+    const clod_node *found = clod_tree_find(
+        clod_yaml_read(&arena, self->complete, strlen(self->complete), 0, &errors), "gravity");
+    for (size_t a = 0; a < 3; a++) {
+        const bool there = found != NULL && found->kind == CLOD_NODE_LIST &&
+                           found->count == 3 && found->items[a]->kind == CLOD_NODE_SCALAR;
+        gravity[a] = there ? strtod(found->items[a]->text, NULL) : 0.0;
+    }
+    clod_report_fini(&errors);
+    clod_arena_fini(&arena);
+}
+
 void clod_run_files_fini(clod_run_files *self)
 {
     json_decref(self->summary);

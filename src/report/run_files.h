@@ -44,5 +44,8 @@ void clod_run_files_names(clod_run_files *runs, size_t count);
 /** Number k of the parts that the run has, borrowed; NULL behind the last. */
 const char *clod_run_files_part(const clod_run_files *self, size_t k);
 
+/** Gravity of the complete case [m/s2]; 0 where it says none.   Test  tests/python/test_slices.py */
+void clod_run_files_gravity(const clod_run_files *self, double gravity[3]);
+
 /** Free the content; an empty one is fine. */
 void clod_run_files_fini(clod_run_files *self);

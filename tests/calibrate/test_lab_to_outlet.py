@@ -1,6 +1,6 @@
 """docs/howto/from-lab-report-to-outlet.md, as a new user follows it: its cheap commands, with what they print.
 
-The shear test is repeated in test_lab_to_outlet_slow.py. The calibration is not: the card that it found is put in its
+The shear test and the rusty chutes are repeated in test_lab_to_outlet_slow.py. The calibration is not: the card that it found is put in its
 place.
 """
 
@@ -16,7 +16,8 @@ import page
 
 PAGE = "docs/howto/from-lab-report-to-outlet.md"
 CARD = clod.source("cases/lab-to-outlet/card.yaml")
-DEAR = [["clod", "run", "ring.yaml"], ["clod", "calibrate", "plan.yaml", "-o"], ["clod", "report"], ["clod", "picture"],
+SLOW = [["clod", "run", "ring.yaml"], ["clod", "run", "chute.yaml", "-o", "run/rust-35"], ["clod", "run", "chute.yaml", "-o", "run/rust-45"]]
+DEAR = [*SLOW, ["clod", "calibrate", "plan.yaml", "-o"], ["clod", "report"], ["clod", "picture"],
         *([["clod", "run"]] if clod.SANITIZED else [])]
 
 

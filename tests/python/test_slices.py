@@ -58,20 +58,24 @@ def colour_at(colours, share):
 @unittest.skipIf(h5py is None, "no h5py")
 class Slices(clod.Case):
 
-    def by_hand(self, complete=COMPLETE, scale=1.0, **changes):
+    def by_hand(self, complete=COMPLETE, scale=1.0, name="run", speed=1.0, **changes):
         """A folder with a field: pressure falls with height, x moves down and to the right, y faster; two holes."""
         grid = {"since_s": 0.5, "samples": 21, "cells": list(CELLS), "corner_m": list(CORNER), "used_cells": 118,
                 "cell_m": CELL, "width_m": 0.012}
         grid.update(changes)
-        pages.free_run(self.path("run"), fields={"bed": grid, "zone": {"since_s": 0.5, "samples": 21, "volume_m3": 1.0}})
-        pages.write(self.path("run"), **{"case_HYPHEN_complete__yaml": complete})
+        fields = {"bed": grid, "zone": {"since_s": 0.5, "samples": 21, "volume_m3": 1.0}}
+        pages.free_run(self.path(name), fields=fields, **{key: changes[key] for key in ("time_s", "dt_s") if key in changes})
+        pages.write(self.path(name), **{"case_HYPHEN_complete__yaml": complete})
         self.cells = [(i, j, k) for k in range(4) for j in range(5) for i in range(6)
                       if (i, j, k) not in ((2, 2, 3), (0, 2, 0))]
         # other layers than j = 2 would be seen at once
         self.pressure = [scale * 1500 * G * (0.03 - (CORNER[2] + (k + 0.5) * CELL)) * (1 if j == 2 else 1e6) for i, j, k in self.cells]
+        self.write_bed(f"{name}/field_bed.hdf", speed)
+
+    def write_bed(self, file, speed=1.0):
         coordination = [math.nan if (i, k) == (5, 3) else 4 + 0.1 * i for i, j, k in self.cells]
-        write_field(self.path("run/field_bed.hdf"), self.cells, density=[1500.0 - 10 * i for i, j, k in self.cells],
-                    pressure=self.pressure, velocity=[(0.3, 5.0, -0.4)] * len(self.cells), coordination=coordination)
+        write_field(self.path(file), self.cells, density=[1500.0 - 10 * i for i, j, k in self.cells],
+                    pressure=self.pressure, velocity=[(0.3 * speed, 5.0 * speed, -0.4 * speed)] * len(self.cells), coordination=coordination)
 
     def report(self, code=0):
         self.done = clod.run("report", "run", cwd=self.folder)
@@ -105,9 +109,9 @@ class Slices(clod.Case):
         last = page.figures["field-bed-coordination"]["map"]["numbers"]
         self.assertEqual([k for k, number in enumerate(last) if number is None], [0, 20, 23])  # no grain, but contacts: blank
 
-    def assert_svg(self, name, given):
+    def assert_svg(self, name, given, file="run/report-field-bed-%s.svg"):
         """Each cell has the colour of its number, blank ones none."""
-        found = shades(clod.read(self.path(f"run/report-field-bed-{name}.svg")).decode())
+        found = shades(clod.read(self.path(file % name)).decode())
         low, high = map(float, given["range"])
         columns = int(given["columns"])
         for k, number in enumerate(given["numbers"]):
@@ -119,15 +123,15 @@ class Slices(clod.Case):
             off = max(abs(int(colour[1 + 2 * c:3 + 2 * c], 16) - wanted[c]) for c in range(3))
             self.assertLess(off, 4)  # 128 shades
 
-    def assert_arrows(self, figure):
+    def assert_arrows(self, figure, told="0.5", long=0.9):
         """One in each cell that has a velocity, 3 to the right and 4 down, 0.9 of a cell long, its middle in that of the cell."""
         curve, = figure["curves"]
-        self.assertEqual(curve["name"], "velocity in the plane, longest arrow 0.5 m/s")
+        self.assertEqual(curve["name"], f"velocity in the plane, longest arrow {told} m/s")
         x, y = ([number and float(number) for number in curve[axis]] for axis in "xy")
         self.assertEqual(len(x), 6 * 22)
         for k in range(0, len(x), 6):
-            self.assertAlmostEqual(x[k + 1] - x[k], 0.9 * 0.6 * CELL, delta=1e-12)
-            self.assertAlmostEqual(y[k + 1] - y[k], -0.9 * 0.8 * CELL, delta=1e-12)
+            self.assertAlmostEqual(x[k + 1] - x[k], long * 0.6 * CELL, delta=1e-12)
+            self.assertAlmostEqual(y[k + 1] - y[k], -long * 0.8 * CELL, delta=1e-12)
             self.assertIsNone(x[k + 5])
             middle = (x[k] + x[k + 1]) / 2 - CORNER[0], (y[k] + y[k + 1]) / 2 - CORNER[2]
             for place in middle:
@@ -182,6 +186,121 @@ class Slices(clod.Case):
         self.assertIn("Remove it to have a page without it", self.done.stderr)
         os.remove(self.path("run/field_bed.hdf"))
         self.assertNotIn("Slices of the fields", self.report().text)
+
+    def compare(self, *names):
+        done = clod.run("compare", *names, "-o", "both.html", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return pages.load(self.path("both.html"))
+
+    def said(self, page, field="bed"):
+        """The paragraph on a field."""
+        found = re.search(rf"<p class=\"note\"><strong>Field {field}.</strong> (.*?) *</p>", page.text)
+        return found[1] if found else None
+
+    def test_runs_on_one_scale(self):
+        """Colours and arrows of both runs by the larger one's numbers, which are three times and twice those of the other."""
+        self.by_hand(name="calm")
+        calm = self.pressure
+        self.by_hand(name="wild", scale=3.0, speed=2.0)
+        page = self.compare("calm", "wild")
+        self.assertEqual([name for name in page.figures if name.startswith("field-")],
+                         [f"field-bed-{value}-{run}" for value in ("density", "pressure", "speed", "coordination")
+                          for run in ("calm", "wild")])
+        self.assertIn("<h3>wild: pressure in bed</h3>", page.text)
+        self.assertEqual(self.said(page), "Means up to 2.5 s, when all ended. All runs have one scale of colours for each value, and one of arrows.")
+        self.assertIsNone(self.said(page, "zone"))
+        greatest = max(p for p, (i, j, k) in zip(self.pressure, self.cells) if j == 2)
+        for run, pressure in (("calm", calm), ("wild", self.pressure)):
+            given = page.figures[f"field-bed-pressure-{run}"]["map"]
+            self.assertEqual(float(given["range"][0]), 0.0)
+            self.assertAlmostEqual(float(given["range"][1]), greatest, delta=1e-9 * greatest)
+            wanted = {i + 6 * k: p for p, (i, j, k) in zip(pressure, self.cells) if j == 2}
+            found = {k: float(number) for k, number in enumerate(given["numbers"]) if number is not None}
+            self.assertEqual(set(found), set(wanted))
+            for k, number in found.items():
+                self.assertAlmostEqual(number, wanted[k], delta=1e-6 * wanted[k])
+            self.assert_svg(f"pressure-{run}", given, "both-field-bed-%s.svg")
+        self.assert_arrows(page.figures["field-bed-speed-calm"], "0.5", 0.45)
+        self.assert_arrows(page.figures["field-bed-speed-wild"], "1", 0.9)
+
+    def test_units_are_common(self):
+        """In kPa, as the larger needs it."""
+        self.by_hand(name="calm")
+        self.by_hand(name="wild", scale=100.0)
+        page = self.compare("calm", "wild")
+        for run in ("calm", "wild"):
+            self.assertEqual(page.figures[f"field-bed-pressure-{run}"]["map"]["value"]["unit"], "kPa")
+
+    def test_runs_that_are_left_out(self):
+        """Those without the grid, or with other cells, another corner or another plane, each with the reason."""
+        self.by_hand(name="one")
+        self.by_hand(name="two")
+        self.by_hand(name="larger", cells=[6, 5, 9])
+        self.by_hand(name="moved", corner_m=[-0.02, 0.02, 0.005])
+        self.by_hand(name="tilted", complete=COMPLETE.replace("[0 m/s2, 0 m/s2, -9.81 m/s2]", "[0 m/s2, -9.81 m/s2, 0 m/s2]"))
+        self.by_hand(name="gone")
+        os.remove(self.path("gone/field_bed.hdf"))
+        pages.free_run(self.path("none"))
+        names = ("none", "one", "larger", "two", "moved", "tilted", "gone")
+        page = self.compare(*names)
+        self.assertEqual([name for name in page.figures if name.startswith("field-bed-density")],
+                         ["field-bed-density-one", "field-bed-density-two"])
+        text = self.said(page)
+        self.assertEqual(text[text.index("Left out"):],
+                         "Left out: none (it has no field of this name). "
+                         "Left out: larger (its grid is another, 6 x 5 x 9 cells of 5 mm from (-10, 20, 5) mm). "
+                         "Left out: moved (its grid is another, 6 x 5 x 4 cells of 5 mm from (-20, 20, 5) mm). "
+                         "Left out: tilted (its gravity leads to another plane). "
+                         "Left out: gone (its file of the grid is not there).")
+        page = self.compare("none", "two", "larger")
+        self.assertFalse(any(name.startswith("field-") for name in page.figures))
+        self.assertTrue(self.said(page).startswith("There are no two runs to compare. Left out: none"))
+        pages.free_run(self.path("other"))
+        self.assertNotIn("Slices of the fields", self.compare("none", "other").text)
+
+    def test_many_runs(self):
+        """Twelve of fourteen are shown, whose first has no field."""
+        names = [f"run{k:02}" for k in range(14)]
+        pages.free_run(self.path(names[0]))
+        for name in names[1:]:
+            self.by_hand(name=name)
+        page = self.compare(*names)
+        self.assertEqual([name for name in page.figures if name.startswith("field-bed-density")],
+                         [f"field-bed-density-{name}" for name in names[1:13]])
+        self.assertIn("Left out: run13 (the first runs alone are shown).", self.said(page))
+
+    def frames(self, name, *moments):
+        """Frames of a run at these times, whose speed is the number of the frame."""
+        entries = [{"name": f"field_bed-{k:06}.hdf", "time": time} for k, time in enumerate(moments)]
+        for k, entry in enumerate(entries):
+            self.write_bed(f"{name}/{entry['name']}", k + 1.0)
+        with open(self.path(f"{name}/field_bed.hdf.series"), "w") as file:
+            json.dump({"file-series-version": "1.0", "files": entries}, file)
+
+    def test_the_last_common_moment(self):
+        """Runs that ended at different times: the last frame that both have, to a step, or else their own ends, which is said."""
+        self.by_hand(name="short", time_s=0.4)
+        self.by_hand(name="long", time_s=2.5, dt_s=4e-5)
+        page = self.compare("short", "long")
+        self.assertIn("No common time: the runs ended at different times (short at 0.4 s, long at 2.5 s), and each is shown as its "
+                      "mean at its own end.", self.said(page))
+        self.assertEqual(page.figures["field-bed-speed-long"]["curves"][0]["name"], "velocity in the plane, longest arrow 0.5 m/s")
+        self.frames("short", 0.1, 0.2, 0.35, 0.4)
+        self.frames("long", 0.2, 0.35003, 0.5)
+        page = self.compare("short", "long")
+        self.assertIn("The runs ended at different times (short at 0.4 s, long at 2.5 s); this is 0.35 s, the last moment of which all "
+                      "have a frame.", self.said(page))
+        self.assertIn("The moment 0.35003 s; cells of 5 mm, kernel of 12 mm.", page.text)
+        for run, speed in (("short", 3), ("long", 2)):
+            numbers = page.figures[f"field-bed-speed-{run}"]["map"]["numbers"]
+            self.assertAlmostEqual(float(numbers[1]), speed * math.sqrt(0.3**2 + 5**2 + 0.4**2), delta=1e-5)
+        self.frames("long", 0.15, 0.5)  # none of these
+        self.assertIn("No common time", self.said(self.compare("short", "long")))
+        with open(self.path("long/field_bed.hdf.series"), "w") as file:
+            file.write("{}")
+        done = clod.run("compare", "short", "long", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("long/field_bed.hdf.series is damaged: it is not the list of frames that clod writes.", done.stderr)
 
     def test_a_run(self):
         """All numbers of a real run's slice are those of its file, at their places; blank cells are those that are not in it."""

@@ -100,10 +100,10 @@ def free_run(folder, density="2500", **changes):
           **{"case_HYPHEN_complete__yaml": COMPLETE % (summary["title"], density)})
 
 
-def field_run(folder):
+def field_run(folder, *more):
     """A real run of a fraction of a second, with the grid of a field."""
     write(folder + "-case", case__yaml=FIELD)
-    done = clod.run("run", os.path.join(folder + "-case", "case.yaml"), "-o", folder, "-t", "1")
+    done = clod.run("run", os.path.join(folder + "-case", "case.yaml"), "-o", folder, "-t", "1", *more)
     clod.unittest.TestCase().assertEqual(done.returncode, 0, done.stderr)
 
 

@@ -171,6 +171,25 @@ class Browser(clod.Case):
                 self.assertIn(title, drawn.texts('<text class="[^"]*title"'))
                 self.assert_colours(drawn.map(), figures[f"field-bed-{name}"]["map"])
 
+    def test_slices_of_two_runs(self):
+        """Side by side on a desk, below each other on a phone; the colours of both are those of one range."""
+        pages.field_run(self.path("slow"))
+        pages.field_run(self.path("heavy"), "--set", "materials.ore.density=5000 kg/m3")
+        self.need_scripts(clod.run("report", self.path("slow")))
+        done = clod.run("compare", self.path("slow"), self.path("heavy"), "-o", self.path("both.html"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = pages.load(self.path("both.html")).figures
+        for width in (1200, 390):
+            seen, dom = self.show("both.html", width)
+            self.assert_drawn(seen, dom, self.unfolded("both.html"))
+            for name in ("density", "pressure", "speed", "coordination"):
+                maps = [figures[f"field-bed-{name}-{run}"]["map"] for run in ("slow", "heavy")]
+                self.assertEqual(maps[0]["range"], maps[1]["range"])
+                for run, given in zip(("slow", "heavy"), maps):
+                    self.assert_colours(pages.Drawn(dom, f"field-bed-{name}-{run}").map(), given)
+            densest = [max(float(x) for x in figures[f"field-bed-density-{run}"]["map"]["numbers"] if x) for run in ("slow", "heavy")]
+            self.assertGreater(densest[1], 1.8 * densest[0])  # twice as dense a material
+
     def assert_colours(self, pixels, given):
         colours = [[int(colour[k:k + 2], 16) for k in (1, 3, 5)] for colour in given["colours"]]
         low, high = map(float, given["range"])

@@ -47,6 +47,28 @@ static void ranges(void **state)
     }
 }
 
+/** Figures that share colours: from the least to the greatest of both; shades by that range, by hand. */
+static void shared_ranges(void **state)
+{
+    (void)state;
+    clod_figure figures[2];
+    make(&figures[0], 2, 1, (const double[]){1.0, 8.0});
+    make(&figures[1], 2, 1, (const double[]){-8.0, (double)NAN});
+    clod_figure_map_share(figures, 2);
+    for (size_t k = 0; k < 2; k++) {
+        check_close(figures[k].map.least, -8.0, 0.0);
+        check_close(figures[k].map.most, 8.0, 0.0);
+        check_close(clod_figure_map_shade(&figures[k].map, 0.0), 64.0, 0.0);
+        clod_figure_fini(&figures[k]);
+    }
+    make(&figures[0], 2, 1, (const double[]){0.0, 0.0}); // alone 0 to 1
+    make(&figures[1], 2, 1, (const double[]){0.0, 0.25});
+    clod_figure_map_share(figures, 2);
+    check_close(figures[0].map.most, 0.25, 0.0);
+    clod_figure_fini(&figures[0]);
+    clod_figure_fini(&figures[1]);
+}
+
 static void nothing_is_no_figure(void **state)
 {
     (void)state;
@@ -188,6 +210,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ranges),
+        cmocka_unit_test(shared_ranges),
         cmocka_unit_test(nothing_is_no_figure),
         cmocka_unit_test(shades),
         cmocka_unit_test(axes_are_the_edges),
