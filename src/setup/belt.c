@@ -270,11 +270,13 @@ static clod_vec3 origin_of(const writer *self)
     return at;
 }
 
-/** A velocity in the upright plane of the path, in space. */
-static void direct(const clod_case_belt *belt, double rise, double size, double to[3])
+/** Let a part move along a straight piece of the path: where its facets lean, as on the transition,
+ *  along the projection of that onto them, with the belt's speed all the same. */
+static void drive(const clod_case_belt *belt, double rise, clod_case_surface *part)
 {
-    const clod_vec3 flat = clod_vec3_scale(heading_of(belt), size * cos(rise));
-    clod_vec3_put(to, (clod_vec3){flat.x, flat.y, size * sin(rise)});
+    const clod_vec3 flat = clod_vec3_scale(heading_of(belt), cos(rise));
+    clod_vec3_put(part->direction, (clod_vec3){flat.x, flat.y, sin(rise)});
+    part->speed = belt->speed;
 }
 
 /** Write the belt, and how each part moves; parts come in the order in which they are written. */
@@ -286,7 +288,7 @@ static void write_parts(writer *self, clod_case_surface *parts)
     for (size_t r = 0; r < belt->run_count; r++, part++) {
         fprintf(self->out, "o run %zu\n", r + 1);
         write_run(self, r);
-        direct(belt, belt->runs[r].rise, belt->speed, parts[part].velocity);
+        drive(belt, belt->runs[r].rise, &parts[part]);
     }
     if (belt->pulley.radius > 0.0) {
         fprintf(self->out, "o pulley\n");
@@ -299,7 +301,7 @@ static void write_parts(writer *self, clod_case_surface *parts)
     if (belt->pulley.return_length > 0.0) {
         fprintf(self->out, "o return\n");
         write_return(self);
-        direct(belt, end - belt->pulley.wrap, belt->speed, parts[part++].velocity);
+        drive(belt, end - belt->pulley.wrap, &parts[part++]);
     }
     if (belt->skirts.height > 0.0) {
         fprintf(self->out, "o skirts\n");
