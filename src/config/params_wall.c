@@ -220,7 +220,7 @@ static const clod_param START_UP[] = {
      CLOD_FROM(0, 1e6),
      .fallback = "0 s",
      CLOD_AT(clod_case_start_up, at),
-     .help = "Time until which they stand.",
+     .help = "Time from the start of the run until which they stand.",
      .source = "docs/belts.md"},
     {.key = "duration",
      .kind = CLOD_PARAM_REAL,

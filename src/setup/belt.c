@@ -144,12 +144,18 @@ static station station_on(const clod_case_belt *belt, size_t run, double along, 
     return at;
 }
 
+/** Length at the end of a run over which the trough flattens [m]. */
+static double flattening(const clod_case_belt *belt, size_t run)
+{
+    const bool last = run + 1 == belt->run_count;
+    return last && belt->idler_angle > 0.0 ? belt->transition : 0.0;
+}
+
 static void write_run(writer *self, size_t run)
 {
     const clod_case_belt *belt = self->belt;
     const double length = belt->runs[run].length;
-    const bool last = run + 1 == belt->run_count;
-    const double flattens = last && belt->idler_angle > 0.0 ? belt->transition : 0.0;
+    const double flattens = flattening(belt, run);
     station from = station_on(belt, run, 0.0, 0.0);
     if (flattens < length) {
         const double along = flattens > 0.0 ? length - flattens : length;
@@ -270,11 +276,16 @@ static clod_vec3 origin_of(const writer *self)
     return at;
 }
 
-/** A velocity in the upright plane of the path, in space. */
-static void direct(const clod_case_belt *belt, double rise, double size, double to[3])
+/** Let a part move along a straight piece of the path: where its facets lean, along the projection
+ *  of that onto them, with the belt's speed all the same. Elsewhere what is normal to the surface
+ *  is lost, at the edge where a belt without a pulley ends. */
+static void drive(const clod_case_belt *belt, double rise, bool leans, clod_case_surface *part)
 {
+    const double size = leans ? 1.0 : belt->speed;
     const clod_vec3 flat = clod_vec3_scale(heading_of(belt), size * cos(rise));
-    clod_vec3_put(to, (clod_vec3){flat.x, flat.y, size * sin(rise)});
+    const clod_vec3 along = {flat.x, flat.y, size * sin(rise)};
+    clod_vec3_put(leans ? part->direction : part->velocity, along);
+    part->speed = leans ? belt->speed : 0.0;
 }
 
 /** Write the belt, and how each part moves; parts come in the order in which they are written. */
@@ -286,7 +297,7 @@ static void write_parts(writer *self, clod_case_surface *parts)
     for (size_t r = 0; r < belt->run_count; r++, part++) {
         fprintf(self->out, "o run %zu\n", r + 1);
         write_run(self, r);
-        direct(belt, belt->runs[r].rise, belt->speed, parts[part].velocity);
+        drive(belt, belt->runs[r].rise, flattening(belt, r) > 0.0, &parts[part]);
     }
     if (belt->pulley.radius > 0.0) {
         fprintf(self->out, "o pulley\n");
@@ -299,7 +310,7 @@ static void write_parts(writer *self, clod_case_surface *parts)
     if (belt->pulley.return_length > 0.0) {
         fprintf(self->out, "o return\n");
         write_return(self);
-        direct(belt, end - belt->pulley.wrap, belt->speed, parts[part++].velocity);
+        drive(belt, end - belt->pulley.wrap, false, &parts[part++]);
     }
     if (belt->skirts.height > 0.0) {
         fprintf(self->out, "o skirts\n");

@@ -99,7 +99,7 @@ static size_t count_of(const clod_case *from)
 }
 
 /** Time for which a belt of this start-up would have run at full speed for its way so far. */
-static double running_time(const clod_case_start_up *start_up, double time)
+static double running_time(const clod_start_up *start_up, double time)
 {
     const double since = fmax(0.0, time - start_up->at), ramp = start_up->duration;
     return since < ramp ? 0.5 * since * since / ramp : since - 0.5 * ramp;
@@ -140,20 +140,19 @@ static void take(belts *self, const clod_free_moment *now, size_t k)
 {
     const clod_case *from = now->from;
     const clod_state *state = now->state;
-    const size_t w = wall_of(from, k);
-    const clod_case_wall *wall = &from->walls[w];
+    const clod_case_wall *given = &from->walls[wall_of(from, k)];
     belt_memory *mine = &self->belt[k];
     const double since = mine->taken.since;
-    const double travel =
-        fabs(speed_of(from, wall)) *
-        (running_time(&wall->start_up, state->time) - running_time(&wall->start_up, since));
     const int block = clod_steady_time_block(&now->steady, since);
-    const int32_t number = clod_walls_find(&state->walls, wall->name);
+    const int32_t number = clod_walls_find(&state->walls, given->name);
     if (number < 0) { // a program has removed it before
         return;
     }
-    const clod_belt_portion portion =
-        clod_belt_work_take(&mine->taken, &state->walls.wall[number], state);
+    const clod_wall *wall = &state->walls.wall[number];
+    const double travel =
+        fabs(speed_of(from, given)) *
+        (running_time(&wall->start_up, state->time) - running_time(&wall->start_up, since));
+    const clod_belt_portion portion = clod_belt_work_take(&mine->taken, wall, state);
     mine->row_work += portion.work;
     mine->row_travel += travel;
     mine->row_time += portion.time;

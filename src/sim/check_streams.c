@@ -7,6 +7,7 @@
 #include "config/check.h"
 #include "config/region.h"
 #include "config/source.h"
+#include "setup/belt_doubts.h"
 #include "setup/domain.h"
 #include "setup/flush_walls.h"
 #include "setup/grains.h"
@@ -208,7 +209,7 @@ static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
     }
 }
 
-/** What is said of walls: they cut a region of grains, or have a face in common. */
+/** What is said of walls: they cut a region of grains, have a face in common, or belts with another side up. */
 static void tell(void *report, const char *text)
 {
     clod_check_warning(report, "%s", text);
@@ -226,5 +227,6 @@ void clod_check_streams_warn(const clod_check_subject *subject, clod_check_repor
         warn_regions(subject, r);
     }
     clod_setup_regions_doubts(subject->from, &subject->state.walls, true, tell, r);
+    clod_setup_belts_doubts(subject->from, tell, r);
     clod_setup_flush_doubts(subject->from, &subject->state.walls, r->radius_mean, tell, r);
 }

@@ -10,6 +10,7 @@
 #include "measure/contacts.h"
 #include "output/checkpoint.h"
 #include "output/folder_files.h"
+#include "setup/belt_doubts.h"
 #include "setup/flush_walls.h"
 #include "setup/grains.h"
 #include "setup/region_walls.h"
@@ -320,7 +321,8 @@ static void doubt(void *job, bool wrong, const char *text)
     clod_job_tell(job, line);
 }
 
-/** A wall that cuts a region of grains, or has a face in common with another one. */
+/** A wall that cuts a region of grains, has a face in common with another one, or a belt with
+ *  another side up. */
 static void doubt_wall(void *job, const char *text)
 {
     doubt(job, true, text);
@@ -336,6 +338,7 @@ static bool doubt_walls(clod_job *job, const clod_setup_bed *bed, clod_status *s
     }
     clod_setup_regions_doubts(from, &job->state.walls, job->sim->origin == NULL, doubt_wall,
                               job);
+    clod_setup_belts_doubts(from, doubt_wall, job);
     clod_setup_flush_doubts(from, &job->state.walls, radius, doubt_wall, job);
     return true;
 }

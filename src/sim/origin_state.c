@@ -302,8 +302,20 @@ static bool check_domain(const moving *self, clod_status *status)
     return true;
 }
 
-/** The step of the other run where the same laws hold and it is not too long, else this case's
- *  own; the time goes on. */
+/** Belts start as if time began now, as inlets do; walls in checkpoints keep it. */
+static void set_start_ups(moving *self)
+{
+    for (int32_t w = 0; w < self->state->walls.count; w++) {
+        clod_wall *wall = &self->state->walls.wall[w];
+        clod_start_up *start = &wall->start_up;
+        if (start->at > 0.0 || start->duration > 0.0) {
+            start->at += self->state->time;
+            fprintf(self->told, "  wall %s: belts start at %.9g s\n", wall->name, start->at);
+        }
+    }
+}
+
+/** The step of the other run if laws are the same and it is not too long, else this case's own. */
 static bool set_step(moving *self, clod_status *status)
 {
     clod_state *state = self->state;
@@ -327,6 +339,7 @@ static bool set_step(moving *self, clod_status *status)
     }
     fprintf(self->told, "  time step %.4g s, %s\n", state->dt,
             state->dt == other->dt ? "as there" : "that of this case");
+    set_start_ups(self);
     return clod_setup_wall_pace(&state->walls, state->dt, status);
 }
 

@@ -26,6 +26,7 @@ typedef struct face {
     double archard, finnie;             ///< m3
     double archard_depth, finnie_depth; ///< m, of the element that wears most
     bool has_archard, has_finnie;       ///< a coefficient: else the four above mean nothing
+    bool passes; ///< material goes through its places: they lose no depth
 } face;
 
 /** A surface of a wall as it is summed up. */
@@ -34,6 +35,13 @@ typedef struct summing {
     int32_t number;
     double time; ///< s, over which the sums go
 } summing;
+
+/** Whether the material of a shape goes on while its places stay: a belt. */
+static bool has_belt(const clod_wall *wall, const clod_shape *shape)
+{
+    const clod_vec3 all = wall->surface_velocity;
+    return clod_belt_moves(&shape->belt) || clod_vec3_dot(all, all) > 0.0;
+}
 
 static void add_element(void *context, const clod_wall *wall, clod_wear_place at)
 {
@@ -55,6 +63,7 @@ static void add_element(void *context, const clod_wall *wall, clod_wear_place at
     to->finnie += finnie;
     to->has_archard = to->has_archard || shape->archard > 0.0;
     to->has_finnie = to->has_finnie || shape->finnie > 0.0;
+    to->passes = to->passes || has_belt(wall, shape);
     if (area > 0.0 && self->time > 0.0) {
         to->pressure = fmax(to->pressure, sum[CLOD_WEAR_PRESS] / (area * self->time));
         to->archard_depth = fmax(to->archard_depth, archard / area);
@@ -262,10 +271,14 @@ static json_t *face_json(const clod_wall *wall, int32_t number, const face *of, 
                   "impact_power_W", sum[CLOD_WEAR_ENERGY] / time);
     if (of->has_archard) {
         json_object_set_new(one, "archard_m3_per_s", json_real(of->archard / time));
-        json_object_set_new(one, "archard_depth_m_per_s", json_real(of->archard_depth / time));
     }
     if (of->has_finnie) {
         json_object_set_new(one, "finnie_m3_per_s", json_real(of->finnie / time));
+    }
+    if (of->has_archard && !of->passes) {
+        json_object_set_new(one, "archard_depth_m_per_s", json_real(of->archard_depth / time));
+    }
+    if (of->has_finnie && !of->passes) {
         json_object_set_new(one, "finnie_depth_m_per_s", json_real(of->finnie_depth / time));
     }
     if (of->area > 0.0) {
@@ -284,8 +297,20 @@ static bool surfaces_told(const clod_case *from)
     return from->output.surfaces;
 }
 
-/** Paths of surfaces one behind the other that all have an area, or all have none. */
-static void add_faces(clod_free_paths *paths, size_t first, size_t count, bool bounded)
+/** Which numbers a surface has. */
+typedef struct face_kind {
+    bool bounded; ///< an area
+    bool worn;    ///< depths
+} face_kind;
+
+static face_kind kind_of(const clod_wall *wall, int32_t number)
+{
+    const face total = face_of(wall, number, wall->wear_since);
+    return (face_kind){.bounded = total.area > 0.0, .worn = !total.passes};
+}
+
+/** Paths of surfaces one behind the other that have the same numbers. */
+static void add_faces(clod_free_paths *paths, size_t first, size_t count, face_kind kind)
 {
     if (count > 0) {
         char faces[64];
@@ -293,9 +318,9 @@ static void add_faces(clod_free_paths *paths, size_t first, size_t count, bool b
         clod_free_paths_add(
             paths, faces,
             "since_s force_N.[0-2] press_N largest_pressure_Pa shear_power_W squeeze_power_W "
-            "impacts_per_s impact_power_W archard_m3_per_s finnie_m3_per_s "
-            "archard_depth_m_per_s finnie_depth_m_per_s impact_angle_deg%s",
-            bounded ? " area_m2" : "");
+            "impacts_per_s impact_power_W archard_m3_per_s finnie_m3_per_s impact_angle_deg%s%s",
+            kind.worn ? " archard_depth_m_per_s finnie_depth_m_per_s" : "",
+            kind.bounded ? " area_m2" : "");
         clod_surface_impacts_paths(paths, faces);
     }
 }
@@ -304,22 +329,22 @@ static void surfaces_paths(const clod_case *from, const clod_state *state,
                            clod_free_paths *paths)
 {
     size_t first = 0, count = 0; // of those alike so far
-    bool bounded = false;
+    face_kind kind = {false, false};
     (void)from;
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t f = 0; f < clod_wear_summed(wall); f++) {
-            const bool this_one = face_of(wall, f, wall->wear_since).area > 0.0;
-            if (this_one != bounded) {
-                add_faces(paths, first, count, bounded);
+            const face_kind this_one = kind_of(wall, f);
+            if (this_one.bounded != kind.bounded || this_one.worn != kind.worn) {
+                add_faces(paths, first, count, kind);
                 first += count;
                 count = 0;
-                bounded = this_one;
+                kind = this_one;
             }
             count++;
         }
     }
-    add_faces(paths, first, count, bounded);
+    add_faces(paths, first, count, kind);
 }
 
 static json_t *surfaces_json(const void *memory, const clod_free_moment *now)

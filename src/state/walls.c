@@ -200,7 +200,7 @@ static void displace(clod_wall *self, double sine, double rate)
 static double lag_at(const clod_start_up *self, double time)
 {
     const double since = time - self->at;
-    return since >= self->duration ? 0.0 : 1.0 - fmax(since, 0.0) / self->duration;
+    return since >= self->duration ? 0.0 : since <= 0.0 ? 1.0 : 1.0 - since / self->duration;
 }
 
 void clod_wall_start(clod_wall *self)

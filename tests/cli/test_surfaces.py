@@ -69,7 +69,7 @@ gravity: [0 m/s2, 0 m/s2, -{gravity} m/s2]
 time: {{step: {step} s}}
 domain: {{min: [-0.5 m, -0.2 m, -0.1 m], max: [0.5 m, 0.2 m, 0.2 m]}}
 grains: [{{material: ore, file: grain.csv}}]
-walls: {{plate: {{material: steel, shapes: [{{mesh: {{file: plate.obj, unit: 1 mm}}}}]}}}}
+walls: {{plate: {{material: steel, shapes: [{shape}]}}}}
 stages: [{{name: run, duration: {duration} s}}]
 output: {{series_interval: 10 ms, surfaces: true, steady_since: 0 s}}
 """
@@ -83,7 +83,8 @@ class Surfaces(clod.Case):
         """Faces of the plate after one grain at x = 60 mm, y = -30 mm: above one facet."""
         with open(self.path("case.yaml"), "w") as file:
             wear = case.pop("wear", "hardness: 2 GPa, archard: 1e-3, finnie: 1e-4")
-            file.write(ALONE.format(duration=duration, wear=wear, **case))
+            shape = case.pop("shape", "{mesh: {file: plate.obj, unit: 1 mm}}")
+            file.write(ALONE.format(duration=duration, wear=wear, shape=shape, **case))
         with open(self.path("plate.obj"), "w") as file:
             file.write(LEVEL)
         with open(self.path("grain.csv"), "w") as file:
@@ -127,6 +128,22 @@ class Surfaces(clod.Case):
         self.assertEqual(far["archard_m3_per_s"], 0.0)
         # nothing comes down on the plate: no cutting
         self.assertLess(near["finnie_m3_per_s"], 1e-3 * near["archard_m3_per_s"] * FINNIE / ARCHARD)
+
+    def test_archard_of_a_belt(self):
+        """A sphere put down at rest on a belt of speed v slips until it rolls, by v^2/(7 mu g) as above: the belt loses
+        V = k m v^2/(7 mu H), wherever facets stand, and so no facet loses a depth. Skirts stand and have one."""
+        speed, mu, duration = 0.3, 0.25, 0.06
+        belt = ("{belt: {from: [0 m, 0 m, 0 m], runs: [{length: 0.2 m}, {length: 0.1 m}], width: 200 mm, speed: 0.3 m/s, "
+                "skirts: {to: 0.3 m, distance: 150 mm, gap: 1 mm, height: 50 mm}}}")
+        faces = self.go_alone(RADIUS - MASS * 9.81 / STIFFNESS, (0.0, 0.0), duration, restitution=0.3, friction=mu,
+                              gravity=9.81, step=1e-6, shape=belt)
+        volume = ARCHARD * MASS * speed ** 2 / (7 * mu * HARDNESS)
+        self.assertAlmostEqual(faces["plate.run 1"]["archard_m3_per_s"] * duration / volume, 1.0, 2)
+        self.assertEqual(faces["plate.run 2"]["archard_m3_per_s"], 0.0)
+        for name, stands in (("run 1", False), ("run 2", False), ("skirts", True)):
+            for law in ("archard", "finnie"):
+                self.assertIn(f"{law}_m3_per_s", faces[f"plate.{name}"])
+                self.assertEqual(f"{law}_depth_m_per_s" in faces[f"plate.{name}"], stands, name)
 
     def test_finnie_of_an_impact(self):
         """Without friction the speed along the plate, t, stays; that into it, n, falls from n0 to 0 as

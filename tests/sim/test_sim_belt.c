@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "output/temp_folder.h"
+#include "output/wall_mesh.h"
+#include "sim/sim.h"
 #include "support/sim_made.h"
 
 #define GRAVITY 9.81
@@ -220,6 +222,20 @@ static void a_belt_starts_up_linearly(void **state)
     clod_sim_destroy(&sim);
 }
 
+/** Without a ramp: at rest, and from one moment on with its speed. */
+static void a_belt_starts_at_once(void **state)
+{
+    (void)state;
+    clod_sim *sim =
+        belt_case("1 m/s", "    start_up: {at: 0.1 s, duration: 0 s}\n", "0.5", "0.2", 1);
+    add_resting(sim, 1, 0.1, 0.0, 0.0);
+    advance(sim, 0.1);
+    check_close(row(sim, "position", 1)[0], 0.1, 1e-12);
+    advance(sim, 0.1); // slips: mu g
+    check_close(row(sim, "velocity", 1)[0], 0.5 * GRAVITY * 0.1, 5e-3);
+    clod_sim_destroy(&sim);
+}
+
 /** Interrupted while it starts up, on other threads: the same bits. */
 static void a_start_up_goes_on_from_a_checkpoint(void **temporary)
 {
@@ -247,6 +263,121 @@ static void a_start_up_goes_on_from_a_checkpoint(void **temporary)
     clod_sim_destroy(&second);
 }
 
+/** A trough of 30 degrees that flattens over 100 mm, at the end of a run that rises. */
+static clod_sim *trough_case(const char *speed, const char *start_up)
+{
+    char text[2048];
+    snprintf(
+        text, sizeof text,
+        "materials: {ore: {density: 2500 kg/m3}}\n"
+        "contacts: {default: {law: hooke, k1: 2e4 N/m, restitution: 0.2, friction: 2,\n"
+        "  rolling: epsd2, rolling_friction: 1}}\n"
+        "gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]\n"
+        "domain: {min: [-1 m, -1 m, -1 m], max: [2 m, 1 m, 1 m]}\n"
+        "walls:\n"
+        "  feed:\n"
+        "    material: ore\n%s"
+        "    shapes:\n"
+        "      - belt: {from: [0 m, 0 m, 0 m], runs: [{length: 0.5 m}, {length: 0.5 m, rise: 8 deg}],\n"
+        "               width: 300 mm, idler_angle: 30 deg, middle_roll: 100 mm, transition: 100 mm,\n"
+        "               speed: %s, pulley: {radius: 100 mm, return: 200 mm},\n"
+        "               skirts: {to: 0.3 m, distance: 160 mm, gap: 5 mm, height: 60 mm}}\n"
+        "stages: [{name: run, duration: 5 s}]\n"
+        "time: {step: 1e-5 s, design_stress: 1 kPa}\n",
+        start_up, speed);
+    return sim_made(text, 1);
+}
+
+/** Number of the part of a belt to which a triangle belongs, from its label; its length. */
+static const char *part_of(const clod_wall_mesh *mesh, size_t triangle, int *length)
+{
+    const char *at = mesh->parts;
+    for (int32_t k = 0; k < mesh->part[triangle]; k++) {
+        at = strchr(at, '\n') + 1;
+    }
+    *length = (int)strcspn(at, "\n");
+    return at;
+}
+
+/** All triangles of runs and return: the material goes with `speed` along them, on the slope of
+ *  its run; skirts stand. */
+static void check_speeds(clod_sim *sim, double speed)
+{
+    clod_wall_mesh mesh;
+    CHECK(clod_wall_mesh_make(&mesh, &sim->state, &status));
+    int leaning = 0, moving = 0;
+    for (size_t t = 0; t < mesh.count; t++) {
+        int length;
+        const char *part = part_of(&mesh, t, &length);
+        clod_vec3 p[3];
+        memcpy(p, mesh.corner[t], sizeof p);
+        const clod_vec3 normal = clod_vec3_unit(
+            clod_vec3_cross(clod_vec3_sub(p[1], p[0]), clod_vec3_sub(p[2], p[0])));
+        const clod_vec3 v = clod_vec3_of(mesh.velocity[t]);
+        if (strncmp(part, "feed.skirts", (size_t)length) == 0) {
+            check_close(clod_vec3_length(v), 0.0, 0.0);
+        } else if (strncmp(part, "feed.pulley", (size_t)length) != 0) {
+            const bool back = strncmp(part, "feed.return", (size_t)length) == 0;
+            check_close(clod_vec3_length(v), fabs(speed), 1e-12);
+            check_close(clod_vec3_dot(v, normal), 0.0, 1e-12);
+            assert_true(v.x * speed > 0.0 || speed == 0.0 || back);
+            moving++;
+            leaning += fabs(normal.x) > 0.2 ? 1 : 0; // more than the slope of 8 degrees has
+        }
+    }
+    assert_true(moving > 40 && leaning > 8);
+    clod_wall_mesh_fini(&mesh);
+}
+
+/** On wings of a transition, which lean across the belt, the material is as fast as elsewhere:
+ *  backwards too, and with the part of its speed that it has while it starts up. */
+static void a_belt_has_its_speed_on_all_facets(void **state)
+{
+    (void)state;
+    const struct {
+        const char *speed, *start_up;
+        double after, expected;
+    } CASES[] = {{"2.5 m/s", "", 0.0, 2.5},
+                 {"-2.5 m/s", "", 0.0, -2.5},
+                 {"2.5 m/s", "    start_up: {at: 0.01 s, duration: 0.02 s}\n", 0.02, 1.25}};
+    for (int k = 0; k < 3; k++) {
+        clod_sim *sim = trough_case(CASES[k].speed, CASES[k].start_up);
+        advance(sim, CASES[k].after);
+        check_speeds(sim, CASES[k].expected);
+        clod_sim_destroy(&sim);
+    }
+}
+
+/** A grain that does not slip goes down the wing of a transition with the belt's speed, but for
+ *  bumps from facet to facet; the run's velocity without what is normal to the wing is 5 % less. */
+static void a_grain_rides_on_a_transition(void **state)
+{
+    (void)state;
+    const double speed = 0.2, slope = 8.0 * M_PI / 180.0, wing = 30.0 * M_PI / 180.0;
+    clod_sim *sim = trough_case("0.2 m/s", "");
+    // above the middle of the left wing, 10 mm before the transition
+    const double run = 0.39, y = 0.05 + 0.05 * cos(wing);
+    const double up = 0.05 * sin(wing) + RADIUS / cos(wing) - 1e-6;
+    const clod_sim_grain grain = {.id = 1,
+                                  .radius = RADIUS,
+                                  .position = {0.5 + run * cos(slope) - up * sin(slope), y,
+                                               run * sin(slope) + up * cos(slope)},
+                                  .velocity = {speed * cos(slope), 0.0, speed * sin(slope)}};
+    CHECK(clod_sim_add_grain(sim, &grain, &status));
+    const double begins = 0.5 + 0.4 * cos(slope);
+    int down = 0, steady = 0;
+    while (row(sim, "position", 1)[0] < begins + 0.06) {
+        advance(sim, 2e-3);
+        const clod_vec3 v = clod_vec3_of(row(sim, "velocity", 1));
+        if (row(sim, "position", 1)[0] > begins && v.z < -0.2 * speed) {
+            down++;
+            steady += fabs(clod_vec3_length(v) - speed) < 2e-3 * speed ? 1 : 0;
+        }
+    }
+    assert_true(down > 50 && 2 * steady > down);
+    clod_sim_destroy(&sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -255,6 +386,9 @@ int main(void)
         cmocka_unit_test(fine_facets_are_not_felt),
         cmocka_unit_test(half_of_the_work_of_a_belt_is_heat),
         cmocka_unit_test(a_belt_starts_up_linearly),
+        cmocka_unit_test(a_belt_starts_at_once),
+        cmocka_unit_test(a_belt_has_its_speed_on_all_facets),
+        cmocka_unit_test(a_grain_rides_on_a_transition),
         cmocka_unit_test_setup_teardown(a_start_up_goes_on_from_a_checkpoint, temp_folder_make,
                                         temp_folder_remove),
     };
