@@ -127,7 +127,7 @@ static bool add(const clod_survey_question *question, const clod_survey_part *he
 }
 
 const clod_survey_way CLOD_STRENGTH_GRID_WAY = {
-    .add = add, .merge = merge, .unit = sizeof(clod_strength_cell)};
+    .add = add, .merge = merge, .unit = sizeof(clod_strength_cell), .motions = true};
 
 bool clod_strength_grid_add(const clod_strength_grid *self, const clod_survey *survey,
                             clod_strength_cell *cell, clod_status *status)

@@ -95,7 +95,7 @@ typedef struct clod_survey_way {
     /** Add other sums: those of `unit` bytes, or all of them. */
     void (*merge)(const clod_survey_question *question, void *into, const void *from);
     size_t unit;  ///< bytes of sums that are merged by themselves; 0: only all together
-    bool motions; ///< of ghosts count too, or forces of contacts that they have
+    bool motions; ///< of ghosts count too, or forces and gains of contacts that they have
 } clod_survey_way;
 
 /** The way of a kind. Threads: pure. */

@@ -120,10 +120,11 @@ static void ask(clod_step *step, told *to)
     memset(to, 0, sizeof *to);
     to->motion = clod_measure_motion_from(&survey);
     assert_true(clod_measure_contacts_from(&survey, &to->contacts, &status));
+    ask_strength(&survey,
+                 to); // first: it needs motions of ghosts, and is the first to ask for them
     ask_gauges(&survey, to);
     ask_fields(&survey, to);
     ask_stock(&survey, to);
-    ask_strength(&survey, to);
     ask_resting(&survey, to);
     assert_true(clod_mixing_grid_count(&mixing, &survey, to->mixing, &status));
     assert_true(clod_mixing_grid_weigh(&mixing, &survey, to->weighed, &status));
