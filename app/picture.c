@@ -31,13 +31,15 @@ enum {
     KEY_SIZE,
     KEY_VIEW,
     KEY_WALL_COLOR,
+    KEY_WALL_RANGE,
 };
 
 #define MOST_JOBS CLOD_APP_FRAMES_JOBS
 
 typedef struct request {
     clod_picture_options options;
-    double time, range[2], from[3], at[3];
+    double time, range[2], wall_range[2], from[3], at[3];
+    bool coloured, viewed; ///< --color, --view were given
     const char **hidden;
     const char *output, *movie;
     int jobs; ///< processors; 0: all
@@ -51,8 +53,10 @@ static const struct argp_option OPTIONS[] = {
     {"color", 'c', "FIELD", 0,
      "what colours the grains (speed); an unknown name lists those that there are", 0},
     {"wall-color", KEY_WALL_COLOR, "FIELD", 0, "what colours the walls (steel and belts)", 0},
-    {"range", KEY_RANGE, "FROM,TO", 0, "values at the ends of the colour bar", 0},
-    {"map", KEY_MAP, "NAME", 0, "colour map: sea, ember, balance or grey", 0},
+    {"range", KEY_RANGE, "FROM,TO", 0, "values at the ends of the grains' colour bar", 0},
+    {"wall-range", KEY_WALL_RANGE, "FROM,TO", 0, "values at the ends of the walls' colour bar",
+     0},
+    {"map", KEY_MAP, "NAME", 0, "colour map of the grains: sea, ember, balance or grey", 0},
     {"view", KEY_VIEW, "NAME", 0, "oblique (default), front, side or top", 0},
     {"from", KEY_FROM, "X,Y,Z", 0, "where the camera stands [m]", 0},
     {"at", KEY_AT, "X,Y,Z", 0, "the point that it looks at [m]", 0},
@@ -114,6 +118,16 @@ static void read_quality(struct argp_state *state, const char *text, clod_pictur
     }
 }
 
+static void read_range(struct argp_state *state, const char *option, const char *text,
+                       double range[2], const double **to)
+{
+    if (!read_numbers(text, range, 2) || range[0] >= range[1]) {
+        argp_error(state, "--%s %s: two numbers that rise are needed, as in 0,2.5", option,
+                   text);
+    }
+    *to = range;
+}
+
 /** Options of the camera and the page; false: it is none of them. */
 static bool parse_view(request *self, int key, char *argument, struct argp_state *state)
 {
@@ -121,6 +135,7 @@ static bool parse_view(request *self, int key, char *argument, struct argp_state
     switch (key) {
     case KEY_VIEW:
         clod_app_picture_view(state, argument, &to->view);
+        self->viewed = true;
         return true;
     case KEY_FROM:
         read_point(state, "from", argument, self->from, &to->from);
@@ -159,14 +174,14 @@ static bool parse_what(request *self, int key, char *argument, struct argp_state
         to->time = &self->time;
         return true;
     case KEY_RANGE:
-        if (!read_numbers(argument, self->range, 2) || self->range[0] >= self->range[1]) {
-            argp_error(state, "--range %s: two numbers that rise are needed, as in 0,2.5",
-                       argument);
-        }
-        to->range = self->range;
+        read_range(state, "range", argument, self->range, &to->range);
+        return true;
+    case KEY_WALL_RANGE:
+        read_range(state, "wall-range", argument, self->wall_range, &to->wall_range);
         return true;
     case 'c':
         to->field = argument;
+        self->coloured = true;
         return true;
     case KEY_WALL_COLOR:
         to->wall_field = argument;
@@ -182,6 +197,32 @@ static bool parse_what(request *self, int key, char *argument, struct argp_state
         return true;
     default:
         return false;
+    }
+}
+
+/** What goes together, once all options are known. */
+static void check(const request *self, struct argp_state *state)
+{
+    const clod_picture_options *of = &self->options;
+    if (of->all && of->time != NULL) {
+        argp_error(state, "--time picks one snapshot, --all and --movie take every one");
+    }
+    if (self->viewed && of->from != NULL) {
+        argp_error(state, "--view and --from both place the camera: leave one out");
+    }
+    if (of->wall_range != NULL && of->wall_field == NULL) {
+        argp_error(state,
+                   "--wall-range is for the colours of walls: say which, with --wall-color");
+    }
+    if (of->range != NULL && of->wall_field != NULL && of->wall_range == NULL &&
+        !self->coloured) {
+        fprintf(stderr,
+                "%s: --range is for the grains' bar (%s); --wall-range sets that of the walls "
+                "(%s)\n",
+                state->name, of->field, of->wall_field);
+    }
+    if (self->output != NULL && !of->all) { // else a folder
+        clod_app_picture_png(state, "--output", self->output);
     }
 }
 
@@ -215,12 +256,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         argp_error(state, "which run? Name its results folder, e.g. run/first");
         return 0;
     case ARGP_KEY_END:
-        if (self->options.all && self->options.time != NULL) {
-            argp_error(state, "--time picks one snapshot, --all and --movie take every one");
-        }
-        if (self->output != NULL && !self->options.all) { // else a folder
-            clod_app_picture_png(state, "--output", self->output);
-        }
+        check(self, state);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -94,7 +94,7 @@ bool clod_channel_settle(clod_channel *self, const double *range, const char *ma
     self->bar.below = self->low < min;
     self->bar.above = self->high > max;
     const char *usual = self->place == CLOD_VTKHDF_CELLS ? "ember" : "sea";
-    usual = range == NULL && min == -max ? "balance" : usual;
+    usual = min == -max ? "balance" : usual;
     const bool good = clod_colour_map_make(&self->bar.map, map != NULL ? map : usual, status);
     if (good && has_kinds(self)) {
         list_kinds(self, film);

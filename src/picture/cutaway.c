@@ -4,10 +4,11 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/sort.h"
 
 #define SAMPLE 800   ///< grains at most that are looked for
 #define WORK 4.0e7   ///< triangles times grains at most
-#define HIDDEN 0.015 ///< share of the grains that a face may hide
+#define HIDDEN 0.015 ///< share of the grains that a piece of a face may hide
 #define CORNERS 10   ///< of a triangle that was cut by six planes, with room
 
 void clod_cutaway_include(clod_cutaway_box *box, const double point[3])
@@ -83,19 +84,76 @@ static bool crosses(double (*const corner)[3], clod_vec3 from, clod_vec3 way)
     return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < 1.0;
 }
 
-/** Face and side of a triangle as one number: curved faces have a near side and a far one. */
-static size_t side_of(const clod_scene *scene, const clod_faces *faces, size_t t, clod_vec3 eye)
+/** The triangles of one part on one side of a face: curved faces have a near side and a far one. */
+typedef struct piece {
+    uint64_t side;        ///< face and side as one number
+    uint32_t hidden;      ///< sampled grains behind it
+    uint32_t last;        ///< number of the grain that was counted last
+    uint32_t hidden_side; ///< grains behind pieces of the side that hide few each
+} piece;
+
+/** What is needed on the way; all owned. */
+typedef struct work {
+    size_t pieces;
+    piece *piece;                   ///< [pieces] those of a side one behind the other
+    size_t *of;                     ///< [triangles] number of its piece
+    clod_sort_item *item, *scratch; ///< [triangles]
+} work;
+
+static void free_work(work *self)
+{
+    clod_memory_free(self->piece);
+    clod_memory_free(self->of);
+    clod_memory_free(self->item);
+    clod_memory_free(self->scratch);
+}
+
+static bool take_work(work *self, size_t triangles)
+{
+    *self = (work){0, clod_memory_alloc(triangles + 1, sizeof *self->piece),
+                   clod_memory_alloc(triangles + 1, sizeof *self->of),
+                   clod_memory_alloc(triangles + 1, sizeof *self->item),
+                   clod_memory_alloc(triangles + 1, sizeof *self->scratch)};
+    return self->piece != NULL && self->of != NULL && self->item != NULL &&
+           self->scratch != NULL;
+}
+
+/** Face and side of a triangle as one number. */
+static uint64_t side_of(const clod_scene *scene, const clod_faces *faces, size_t t,
+                        clod_vec3 eye)
 {
     const clod_vec3 a = clod_vec3_of(scene->corner[t][0]);
     const clod_vec3 n = clod_vec3_cross(clod_vec3_sub(clod_vec3_of(scene->corner[t][1]), a),
                                         clod_vec3_sub(clod_vec3_of(scene->corner[t][2]), a));
     const bool front = clod_vec3_dot(n, clod_vec3_sub(eye, a)) > 0.0;
-    return 2 * (size_t)faces->face[t] + (front != (faces->turned[t] != 0));
+    return 2 * (uint64_t)faces->face[t] + (front != (faces->turned[t] != 0));
 }
 
-/** Count for each side the sampled grains that it hides. */
-static void count_hidden(const clod_scene *scene, const size_t *side, clod_vec3 eye,
-                         size_t every, uint32_t (*hidden)[2])
+/** Find the pieces. */
+static void find_pieces(work *self, const clod_scene *scene, const clod_faces *faces,
+                        clod_vec3 eye)
+{
+    const size_t n = scene->triangles;
+    uint64_t parts = 1; // and those without a name
+    for (size_t t = 0; t < n; t++) {
+        const uint64_t number = (uint64_t)(scene->part[t] + 1);
+        parts = number >= parts ? number + 1 : parts;
+    }
+    for (size_t t = 0; t < n; t++) {
+        const uint64_t part = (uint64_t)(scene->part[t] + 1);
+        self->item[t] = (clod_sort_item){side_of(scene, faces, t, eye) * parts + part, t};
+    }
+    clod_sort(self->item, self->scratch, n);
+    for (size_t k = 0; k < n; k++) {
+        if (k == 0 || self->item[k].key != self->item[k - 1].key) {
+            self->piece[self->pieces++].side = self->item[k].key / parts;
+        }
+        self->of[self->item[k].index] = self->pieces - 1;
+    }
+}
+
+/** Count for each piece the sampled grains that it hides. */
+static void count_hidden(const clod_scene *scene, clod_vec3 eye, size_t every, work *with)
 {
     uint32_t grain = 0;
     for (size_t k = 0; k < scene->spheres; k += every) {
@@ -103,11 +161,26 @@ static void count_hidden(const clod_scene *scene, const size_t *side, clod_vec3 
         const clod_vec3 way = clod_vec3_sub(eye, from);
         grain++;
         for (size_t t = 0; t < scene->triangles; t++) {
-            uint32_t *of = hidden[side[t]]; // how many, and the last one that was counted
-            if (of[1] != grain && crosses(scene->corner[t], from, way)) {
-                of[0]++;
-                of[1] = grain;
+            piece *of = &with->piece[with->of[t]];
+            if (of->last != grain && crosses(scene->corner[t], from, way)) {
+                of->hidden++;
+                of->last = grain;
             }
+        }
+    }
+}
+
+/** Add up, over the pieces of a side, the grains behind those that hide no more than `few`. */
+static void add_sides(work *self, double few)
+{
+    for (size_t first = 0, end; first < self->pieces; first = end) {
+        uint32_t sum = 0;
+        for (end = first;
+             end < self->pieces && self->piece[end].side == self->piece[first].side; end++) {
+            sum += self->piece[end].hidden <= few ? self->piece[end].hidden : 0;
+        }
+        for (size_t k = first; k < end; k++) {
+            self->piece[k].hidden_side = sum;
         }
     }
 }
@@ -116,22 +189,20 @@ bool clod_cutaway_veil(clod_scene *scene, const clod_faces *faces, clod_vec3 eye
                        clod_status *status)
 {
     const size_t n = scene->triangles;
-    size_t *side = clod_memory_alloc(n + 1, sizeof *side);
-    uint32_t(*hidden)[2] = clod_memory_alloc(2 * faces->count + 1, sizeof *hidden);
-    const bool good = side != NULL && hidden != NULL;
+    work with;
+    const bool good = take_work(&with, n);
     if (good && n > 0 && scene->spheres > 0) {
         const double most = fmin(SAMPLE, fmax(64.0, WORK / (double)n));
         const size_t every = 1 + (size_t)((double)scene->spheres / most);
-        const double sampled = ceil((double)scene->spheres / (double)every);
+        const double few = HIDDEN * ceil((double)scene->spheres / (double)every);
+        find_pieces(&with, scene, faces, eye);
+        count_hidden(scene, eye, every, &with);
+        add_sides(&with, few);
         for (size_t t = 0; t < n; t++) {
-            side[t] = side_of(scene, faces, t, eye);
-        }
-        count_hidden(scene, side, eye, every, hidden);
-        for (size_t t = 0; t < n; t++) {
-            scene->veiled[t] = (double)hidden[side[t]][0] > HIDDEN * sampled;
+            const piece *of = &with.piece[with.of[t]];
+            scene->veiled[t] = of->hidden > few || (of->hidden > 0 && of->hidden_side > few);
         }
     }
-    clod_memory_free(side);
-    clod_memory_free(hidden);
+    free_work(&with);
     return good || clod_status_fail(status, CLOD_FAILED, "No memory for the walls.");
 }

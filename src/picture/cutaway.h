@@ -35,7 +35,9 @@ size_t clod_cutaway_clip(const clod_cutaway_box *box, double (*const corner)[3][
 
 /**
  * Set scene->veiled: of faces that hide more than a few of the grains from the eye, the side
- * that is turned to them.
+ * that is turned to them. Named parts of a face are judged apart: the return of a belt stays as
+ * it is when only a run hides grains. Those that hide few each are veiled if they hide more
+ * than a few together.
  * Errors  CLOD_FAILED: no memory.   Threads  pure.   Test  tests/picture/test_cutaway.c
  */
 bool clod_cutaway_veil(clod_scene *scene, const clod_faces *faces, clod_vec3 eye,

@@ -32,15 +32,16 @@ typedef enum clod_picture_quality {
 } clod_picture_quality;
 
 typedef struct clod_picture_options {
-    const char *run;        ///< results folder
-    const char *beside;     ///< a second one, shown at the right; NULL: none
-    const char *part;       ///< of a test; NULL: the only one
-    bool all;               ///< every snapshot, not one
-    const double *time;     ///< s: the nearest snapshot; NULL: the last one
-    const char *field;      ///< that colours the grains
-    const char *wall_field; ///< that colours the walls; NULL: steel and belts
-    const char *map;        ///< colour map of the grains; NULL: by the values
-    const double *range;    ///< [2] of the field; NULL: by the values
+    const char *run;          ///< results folder
+    const char *beside;       ///< a second one, shown at the right; NULL: none
+    const char *part;         ///< of a test; NULL: the only one
+    bool all;                 ///< every snapshot, not one
+    const double *time;       ///< s: the nearest snapshot; NULL: the last one
+    const char *field;        ///< that colours the grains
+    const char *wall_field;   ///< that colours the walls; NULL: steel and belts
+    const char *map;          ///< colour map of the grains; NULL: by the values
+    const double *range;      ///< [2] of the field; NULL: by the values
+    const double *wall_range; ///< [2] of wall_field; NULL: by the values
     const char *const
         *hidden; ///< [hidden_count] walls to leave out, by name or number, and parts: WALL.PART
     size_t hidden_count;

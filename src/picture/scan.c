@@ -294,11 +294,12 @@ bool clod_scan_make(clod_scan *self, const clod_picture_options *options, clod_s
         }
     }
     self->stage = (clod_stage){&self->grains, &self->walls, &self->hidden, CLOD_CUTAWAY_EMPTY};
-    const bool good = choose_frames(self, options, status) && hide(self, options, status) &&
-                      look(self, status) &&
-                      clod_channel_settle(&self->grains, options->range, options->map,
-                                          &self->film[0], status) &&
-                      clod_channel_settle(&self->walls, NULL, NULL, &self->film[0], status);
+    const bool good =
+        choose_frames(self, options, status) && hide(self, options, status) &&
+        look(self, status) &&
+        clod_channel_settle(&self->grains, options->range, options->map, &self->film[0],
+                            status) &&
+        clod_channel_settle(&self->walls, options->wall_range, NULL, &self->film[0], status);
     return good;
 }
 

@@ -11,6 +11,7 @@ void clod_scene_fini(clod_scene *self)
     clod_memory_free(self->normal);
     clod_memory_free(self->paint);
     clod_memory_free(self->wall);
+    clod_memory_free(self->part);
     clod_memory_free(self->veiled);
     clod_memory_free(self->end);
     clod_memory_free(self->mark);

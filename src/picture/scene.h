@@ -32,6 +32,7 @@ typedef struct clod_scene {
     double (*normal)[3][3]; ///< of the surface at the corners
     uint16_t *paint;        ///< number of the colour
     int32_t *wall;          ///< number of the wall
+    int32_t *part;          ///< number of the named part of a mesh or belt; -1: none
     uint8_t *veiled;        ///< shown as a veil, so that the grains behind are seen
     size_t lines;
     double (*end)[2][3]; ///< m

@@ -113,28 +113,41 @@ static bool is_hidden_part(const clod_stage_hidden *hidden, const char *name, si
     return found;
 }
 
+/** Read which part a triangle is in; in a file from before there were parts none are. */
+static bool find_parts(clod_stage_walls *self, const clod_vtkhdf *file, clod_status *status)
+{
+    clod_field part = {0};
+    const bool told = clod_vtkhdf_find(file, CLOD_VTKHDF_CELLS, "part") != NULL;
+    const bool good = !told || clod_field_read(&part, file, CLOD_VTKHDF_CELLS, "part", status);
+    for (size_t t = 0; good && t < self->count; t++) {
+        self->part[t] = told && part.value[t] >= 0.0 && part.value[t] < INT32_MAX
+                            ? (int32_t)part.value[t]
+                            : -1;
+    }
+    clod_field_fini(&part);
+    return good;
+}
+
 /** Hide the triangles of some parts. */
 static bool hide_parts(clod_stage_walls *self, const clod_vtkhdf *file,
                        const clod_stage_hidden *hidden, clod_status *status)
 {
     char *names = clod_memory_alloc(CLOD_VTKHDF_PARTS, 1);
-    clod_field part = {0};
-    bool good = names != NULL || fail_memory(status);
-    if (good && hidden->part_count > 0 && clod_vtkhdf_parts(file, names)) {
-        good = clod_field_read(&part, file, CLOD_VTKHDF_CELLS, "part", status);
+    if (names == NULL) {
+        return fail_memory(status);
     }
+    const bool named = hidden->part_count > 0 && clod_vtkhdf_parts(file, names);
     int32_t number = 0;
-    for (const char *line = names; good && part.value != NULL && line[0] != '\0'; number++) {
+    for (const char *line = names; named && line[0] != '\0'; number++) {
         const size_t length = strcspn(line, "\n");
         const bool hides = is_hidden_part(hidden, line, length);
         for (size_t t = 0; hides && t < self->count; t++) {
-            self->hidden[t] = self->hidden[t] || part.value[t] == number;
+            self->hidden[t] = self->hidden[t] || self->part[t] == number;
         }
         line += length + (line[length] == '\n');
     }
     clod_memory_free(names);
-    clod_field_fini(&part);
-    return good;
+    return true;
 }
 
 bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file,
@@ -142,16 +155,18 @@ bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file,
 {
     const size_t n = file->rows[CLOD_VTKHDF_CELLS];
     clod_field number = {0};
-    *self = (clod_stage_walls){n, clod_memory_alloc(n + 1, sizeof *self->corner),
+    *self = (clod_stage_walls){n,
+                               clod_memory_alloc(n + 1, sizeof *self->corner),
                                clod_memory_alloc(n + 1, sizeof *self->wall),
+                               clod_memory_alloc(n + 1, sizeof *self->part),
                                clod_memory_alloc(n + 1, sizeof *self->plane),
                                clod_memory_alloc(n + 1, sizeof *self->hidden)};
     double(*point)[3] = clod_vtkhdf_points(file, status);
     size_t(*triangle)[3] = point != NULL ? clod_vtkhdf_triangles(file, status) : NULL;
     bool good =
         triangle != NULL && clod_field_read(&number, file, CLOD_VTKHDF_CELLS, "wall", status);
-    if (good && (self->corner == NULL || self->wall == NULL || self->plane == NULL ||
-                 self->hidden == NULL)) {
+    if (good && (self->corner == NULL || self->wall == NULL || self->part == NULL ||
+                 self->plane == NULL || self->hidden == NULL)) {
         good = fail_memory(status);
     }
     for (size_t k = 0; good && k < 3 * n; k++) {
@@ -166,13 +181,15 @@ bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file,
     clod_memory_free(point);
     clod_memory_free(triangle);
     clod_field_fini(&number);
-    return good && find_planes(self, file, status) && hide_parts(self, file, hidden, status);
+    return good && find_planes(self, file, status) && find_parts(self, file, status) &&
+           hide_parts(self, file, hidden, status);
 }
 
 void clod_stage_walls_fini(clod_stage_walls *self)
 {
     clod_memory_free(self->corner);
     clod_memory_free(self->wall);
+    clod_memory_free(self->part);
     clod_memory_free(self->plane);
     clod_memory_free(self->hidden);
     *self = (clod_stage_walls){0};
@@ -220,6 +237,7 @@ static void put_triangle(clod_scene *scene, double (*const corner)[3], const giv
 {
     memcpy(scene->corner[scene->triangles], corner, sizeof scene->corner[0]);
     scene->wall[scene->triangles] = walls->of.wall[t];
+    scene->part[scene->triangles] = walls->of.part[t];
     scene->paint[scene->triangles++] = walls->paint[t];
 }
 
@@ -234,9 +252,10 @@ static bool put_walls(const clod_stage *self, const given *walls, clod_scene *sc
     scene->corner = clod_memory_alloc(room, sizeof *scene->corner);
     scene->paint = clod_memory_alloc(room, sizeof *scene->paint);
     scene->wall = clod_memory_alloc(room, sizeof *scene->wall);
+    scene->part = clod_memory_alloc(room, sizeof *scene->part);
     scene->veiled = clod_memory_alloc(room, sizeof *scene->veiled);
     if (scene->corner == NULL || scene->paint == NULL || scene->wall == NULL ||
-        scene->veiled == NULL) {
+        scene->part == NULL || scene->veiled == NULL) {
         return fail_memory(status);
     }
     for (size_t t = 0; t < walls->of.count; t++) {

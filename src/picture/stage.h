@@ -34,6 +34,7 @@ typedef struct clod_stage_walls {
     size_t count;
     double (*corner)[3][3]; ///< [count] m
     int32_t *wall;          ///< [count] number of the wall
+    int32_t *part;          ///< [count] number of the named part; -1: none
     bool *plane;            ///< [count] the first of two that show a plane without an end
     bool *hidden;           ///< [count]
 } clod_stage_walls;

@@ -7,6 +7,7 @@
 #define LINE_WIDTH 0.0014 ///< of an edge, over the height of the picture
 #define MARK_WIDTH 0.0050 ///< of a marked edge
 #define VEIL_OPACITY 0.15 ///< opacity of a wall that is in the way
+#define BELT_OPACITY 0.55 ///< the same of one whose surface moves, which stays dark
 #define AMBIENT 0.45      ///< light from everywhere
 #define LARGE 1.6e7       ///< pixels; from there on fewer rays for each
 #define SKY_RAYS 12       ///< of the light from the sky, for each point
@@ -28,7 +29,7 @@ static apivector vector(clod_vec3 v)
 }
 
 /** Kinds of surfaces: lines cast no shadows, nor do veils, through which most light goes. */
-enum { SOLID, VEIL, THIN };
+enum { SOLID, VEIL, BELT_VEIL, THIN };
 
 /** How a surface takes light. */
 static void *make_texture(SceneHandle scene, const double colour[3], double ambient, int kind)
@@ -38,7 +39,9 @@ static void *make_texture(SceneHandle scene, const double colour[3], double ambi
                           .shadowcast = kind == SOLID,
                           .ambient = ambient,
                           .diffuse = 1.0 - ambient,
-                          .opacity = kind == VEIL ? VEIL_OPACITY : 1.0};
+                          .opacity = kind == VEIL        ? VEIL_OPACITY
+                                     : kind == BELT_VEIL ? BELT_OPACITY
+                                                         : 1.0};
     return rt_texture(scene, &texture);
 }
 
@@ -192,7 +195,8 @@ bool clod_tracer_draw(const clod_scene *scene, const clod_camera *camera,
         const bool mark = k >= CLOD_SCENE_MARK;
         textures[k] = make_texture(to, scene->colour[k], mark ? 1.0 : ambient,
                                    mark || k == CLOD_SCENE_LINE ? THIN : SOLID);
-        veils[k] = make_texture(to, scene->colour[k], ambient, VEIL);
+        veils[k] = make_texture(to, scene->colour[k], ambient,
+                                k == CLOD_SCENE_MOVING ? BELT_VEIL : VEIL);
     }
     add_spheres(to, scene, textures);
     add_triangles(to, scene, textures, veils);

@@ -220,6 +220,33 @@ class Picture(clod.Case):
         bar = [shown.pixel(x, y) for y in range(150, 300) for x in range(300, 400)]
         self.assertTrue(any(max(abs(a - b) for a, b in zip(floor, pixel)) < 6 for pixel in bar))
 
+    def test_the_range_of_the_walls_bar(self):
+        """The floor stands still and faces the eye: from -1 to 3 it has the colour a quarter up the walls' bar, the
+        lower one. The grains' bar keeps the range of its values."""
+        options = ("--wall-color=velocity", "--time=0.001", "--size=500x400", "--view=top")
+        image, usual = self.image(*options, "--wall-range=-1,3"), self.image(*options)
+        panel = [(x, y) for y in range(50, 330) for x in range(370)]
+        counts = collections.Counter(image.pixel(x, y) for x, y in panel)
+        floor = max(counts.items(), key=lambda item: item[1] * is_coloured(item[0]))[0]
+        self.assertNotIn(floor, [usual.pixel(x, y) for x, y in panel])
+        grains = [[row[3 * 420:] for row in one.rows[:200]] for one in (image, usual)]
+        self.assertEqual(*grains)
+        image.rows, image.height = image.rows[200:], image.height - 200
+        middle, first, rows = find_bar(image)
+        row = first + round((rows - 1) * 3 / 4)
+        for seen, bar in zip(floor, image.pixel(middle, row)):
+            self.assertLess(abs(seen - bar), 14)
+
+    def test_ranges_are_told_apart(self):
+        """--range with a field of the walls alone may be meant for them: it says what it is for."""
+        walls = ("-o", "a.png", "--wall-color=velocity", "--size=200x200", "--quality=draft")
+        for more, told in ((("--range=0,1",), True), (("--range=0,1", "--color=mass"), False),
+                           (("--range=0,1", "--wall-range=0,1"), False), (("--wall-range=0,1",), False)):
+            done = clod.run("picture", self.results, *walls, *more, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr, "clod picture: --range is for the grains' bar (speed); --wall-range sets that "
+                             "of the walls (velocity)\n" if told else "")
+
     def test_a_square_of_a_mesh_does_not_end_like_a_plane(self):
         """From above, 1.3 m high: a plane ends with the domain, 50 mm from the middle; a mesh of two
         triangles is 200 mm long to each side. In a snapshot without the column, a plane is the
@@ -320,6 +347,11 @@ class Picture(clod.Case):
                              ("--angle=200", "degrees"), ("--jobs=0", "processes"),
                              ("--quality=best", "draft"), ("--time=soon", "seconds")):
             self.assertIn(word, self.picture(self.results, option, code=2))
+        for options, words in ((("--wall-range=3,1", "--wall-color=velocity"), "--wall-range 3,1: two numbers that rise"),
+                               (("--wall-range=0,1",), "say which, with --wall-color"),
+                               (("--view=front", "--from=1,1,1"), "--view and --from both place the camera: leave one"),
+                               (("--from=1,1,1", "--view=oblique"), "--view and --from")):
+            self.assertIn(words, self.picture(self.results, *options, code=2))
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_damaged_files(self):

@@ -16,6 +16,7 @@ static void make_box(clod_scene *scene)
 {
     *scene = (clod_scene){.corner = clod_memory_alloc(12, sizeof *scene->corner),
                           .wall = clod_memory_alloc(12, sizeof *scene->wall),
+                          .part = clod_memory_alloc(12, sizeof *scene->part),
                           .veiled = clod_memory_alloc(12, 1),
                           .center = clod_memory_alloc(1, sizeof *scene->center),
                           .radius = clod_memory_alloc(1, sizeof *scene->radius),
@@ -87,6 +88,7 @@ static void a_tube_is_veiled_on_the_near_side(void **state)
     enum { STRIPS = 24 };
     clod_scene scene = {.corner = clod_memory_alloc(2 * STRIPS, sizeof *scene.corner),
                         .wall = clod_memory_alloc(2 * STRIPS, sizeof *scene.wall),
+                        .part = clod_memory_alloc(2 * STRIPS, sizeof *scene.part),
                         .veiled = clod_memory_alloc(2 * STRIPS, 1),
                         .center = clod_memory_alloc(1, sizeof *scene.center),
                         .radius = clod_memory_alloc(1, sizeof *scene.radius),
@@ -116,6 +118,81 @@ static void a_tube_is_veiled_on_the_near_side(void **state)
     }
     clod_faces_fini(&faces);
     clod_scene_fini(&scene);
+}
+
+/** A flat strip from x = 0 to `squares` at y = 0, one face, each square a part; grains behind it. */
+static void make_strip(clod_scene *scene, int squares, int grains)
+{
+    const size_t n = 2 * (size_t)squares;
+    *scene = (clod_scene){.corner = clod_memory_alloc(n, sizeof *scene->corner),
+                          .wall = clod_memory_alloc(n, sizeof *scene->wall),
+                          .part = clod_memory_alloc(n, sizeof *scene->part),
+                          .veiled = clod_memory_alloc(n, 1),
+                          .center = clod_memory_alloc((size_t)grains, sizeof *scene->center),
+                          .radius = clod_memory_alloc((size_t)grains, sizeof *scene->radius),
+                          .spheres = (size_t)grains,
+                          .triangles = n};
+    for (size_t t = 0; t < n; t++) {
+        const double x = (double)(t / 2);
+        const double corner[2][3][3] = {{{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 0, 1}},
+                                        {{x, 0, 0}, {x + 1, 0, 1}, {x, 0, 1}}};
+        memcpy(scene->corner[t], corner[t % 2], sizeof corner[0]);
+        scene->part[t] = (int32_t)(t / 2) - 1; // the first has no name
+    }
+}
+
+static void veil_strip(clod_scene *scene)
+{
+    clod_faces faces;
+    clod_status status;
+    assert_true(clod_faces_make(&faces, scene, &status));
+    assert_int_equal(faces.count, 1);
+    assert_true(clod_cutaway_veil(scene, &faces, (clod_vec3){25.0, -1e5, 0.5}, &status));
+    clod_faces_fini(&faces);
+}
+
+/** Of three squares of a face the middle one hides both grains: the others are no veils, be they
+ *  parts with a name or not. Without parts the face is one veil. */
+static void parts_of_a_face_are_judged_apart(void **state)
+{
+    (void)state;
+    for (int named = 0; named < 2; named++) {
+        clod_scene scene;
+        make_strip(&scene, 3, 2);
+        for (int g = 0; g < 2; g++) {
+            memcpy(scene.center[g], (double[3]){1.3 + 0.4 * g, 0.5, 0.4},
+                   sizeof scene.center[g]);
+        }
+        for (int t = 0; t < 6; t++) {
+            scene.part[t] = named ? scene.part[t] : -1;
+        }
+        veil_strip(&scene);
+        for (int t = 0; t < 6; t++) {
+            assert_int_equal(scene.veiled[t], !named || t / 2 == 1);
+        }
+        clod_scene_fini(&scene);
+    }
+}
+
+/** Each of 50 parts hides one of 100 grains, too few for a veil; together they hide 50, and all of
+ *  them are veils but for that with nothing behind it. Where 99 grains are seen and one is
+ *  hidden, none is. */
+static void many_parts_that_hide_few_grains_each_are_veiled(void **state)
+{
+    (void)state;
+    for (int hidden = 1; hidden <= 50; hidden += 49) {
+        clod_scene scene;
+        make_strip(&scene, 51, 100);
+        for (int g = 0; g < 100; g++) {
+            const double y = g < hidden ? 0.5 : -0.5;
+            memcpy(scene.center[g], (double[3]){0.5 + g % 50, y, 0.5}, sizeof scene.center[g]);
+        }
+        veil_strip(&scene);
+        for (int t = 0; t < 102; t++) {
+            assert_int_equal(scene.veiled[t], hidden == 50 && t / 2 < 50);
+        }
+        clod_scene_fini(&scene);
+    }
 }
 
 static double area(double (*const t)[3])
@@ -149,6 +226,8 @@ int main(void)
         cmocka_unit_test(a_box_has_six_faces_and_twelve_edges),
         cmocka_unit_test(only_the_near_face_is_veiled),
         cmocka_unit_test(a_tube_is_veiled_on_the_near_side),
+        cmocka_unit_test(parts_of_a_face_are_judged_apart),
+        cmocka_unit_test(many_parts_that_hide_few_grains_each_are_veiled),
         cmocka_unit_test(planes_end_at_the_box),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
