@@ -152,6 +152,13 @@ static bool make_executable(FILE *out, const char *text)
 static int write_text(const char *text, const char *path)
 {
     FILE *out = fopen(path, "wx"); // never over a file that is there
+    if (out == NULL && errno == ENOENT) {
+        const char *slash = strrchr(path, '/');
+        const int length = slash != NULL ? (int)(slash - path) : 0;
+        fprintf(stderr, "clod new: %s: there is no folder %.*s; make it first: mkdir -p %.*s\n",
+                path, length, path, length, path);
+        return CLOD_USAGE;
+    }
     if (out == NULL) {
         fprintf(stderr, "clod new: %s: %s\n", path, strerror(errno));
         return errno == EEXIST ? CLOD_USAGE : CLOD_FAILED;

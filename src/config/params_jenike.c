@@ -65,7 +65,7 @@ static const clod_param ROWS[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_ABOVE(0, 3.2),
+     CLOD_ABOVE(0, 180 * CLOD_DEGREE),
      .fallback = "10 deg",
      CLOD_AT(J, twist_angle),
      .used = is_twisted,
