@@ -136,11 +136,11 @@ static void find_pieces(work *self, const clod_scene *scene, const clod_faces *f
     const size_t n = scene->triangles;
     uint64_t parts = 1; // and those without a name
     for (size_t t = 0; t < n; t++) {
-        const uint64_t number = (uint64_t)(scene->part[t] + 1);
+        const uint64_t number = (uint64_t)((int64_t)scene->part[t] + 1);
         parts = number >= parts ? number + 1 : parts;
     }
     for (size_t t = 0; t < n; t++) {
-        const uint64_t part = (uint64_t)(scene->part[t] + 1);
+        const uint64_t part = (uint64_t)((int64_t)scene->part[t] + 1);
         self->item[t] = (clod_sort_item){side_of(scene, faces, t, eye) * parts + part, t};
     }
     clod_sort(self->item, self->scratch, n);

@@ -349,9 +349,9 @@ static void put_object(void *context, size_t number, const target *of, const clo
     json_object_set_new(pen->all, name,
                         json_pack("{s:f, s:f, s:o, s:o, s:f, s:f}", "since_s", pen->since,
                                   "mass_kg", mass->now, "mean_kg",
-                                  clod_json_number(mass->sum / pen->self->steady), "rate_kg_per_s",
-                                  clod_json_number(rate), "largest_kg", mass->most,
-                                  "largest_at_s", mass->most_time));
+                                  clod_json_number(mass->sum / pen->self->steady),
+                                  "rate_kg_per_s", clod_json_number(rate), "largest_kg",
+                                  mass->most, "largest_at_s", mass->most_time));
 }
 
 static bool build_up_told(const clod_case *from)
