@@ -149,6 +149,12 @@ class New(clod.Case):
         self.assertEqual(done.returncode, 1)
         self.assertIn("standard output: cannot be written", done.stderr)
 
+    def test_a_folder_that_is_not_there(self):
+        done = clod.run("new", "ring-shear", "sub/x.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, "clod new: sub/x.yaml: there is no folder sub; make it first: mkdir -p sub\n")
+        self.assertEqual(os.listdir(self.folder), [])
+
 
 class Marks(clod.Case):
 
