@@ -13,7 +13,8 @@ clod_steady_time clod_steady_time_of(const clod_case *from, double begin, double
     const double whole = (double)clod_outputs_of(from, dt).steps * dt;
     const double since =
         from->output.has_steady_since ? from->output.steady_since : whole * (2.0 / 3.0);
-    return (clod_steady_time){begin + since, (whole - since) / CLOD_STEADY_BLOCKS};
+    const double length = fmax(whole - since, dt); // since may lie behind the last step
+    return (clod_steady_time){begin + since, length / CLOD_STEADY_BLOCKS};
 }
 
 int64_t clod_steady_time_steps(double moment, double time, double dt)

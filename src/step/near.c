@@ -88,7 +88,9 @@ static void mark_pairs(const clod_near_job *job, clod_chunk rows)
             }
         }
     }
-    mark_some(job, &courses, i, j, next - count, count);
+    if (count > 0) { // a bed may have no candidates, and no room for any
+        mark_some(job, &courses, i, j, next - count, count);
+    }
 }
 
 void clod_near_mark(const clod_near_job *job, int part)

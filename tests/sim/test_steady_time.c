@@ -51,6 +51,21 @@ static void the_last_step_ends_the_last_block(void **unused)
     }
 }
 
+/** Steps of 0.7 s in 1 s: one, which ends at 0.7 s; the steady time of 0.9 s never begins. */
+static void no_block_is_over_before_it_begins(void **unused)
+{
+    (void)unused;
+    clod_case_stage stage = {.duration = 1.0};
+    clod_case from = {.stages = &stage, .stage_count = 1};
+    from.output.has_steady_since = true;
+    from.output.steady_since = 0.9;
+    const clod_steady_time steady = clod_steady_time_of(&from, 0.0, 0.7);
+    assert_true(steady.block > 0.0);
+    assert_int_equal(clod_steady_time_edges(&steady, 0.0), 0);
+    assert_int_equal(clod_steady_time_edges(&steady, 0.7), 0);
+    assert_int_equal(clod_steady_time_block(&steady, 0.7), -1);
+}
+
 static void steps_until_a_moment_are_0_once(void **unused)
 {
     (void)unused;
@@ -93,6 +108,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_a_key_it_is_the_last_third),
         cmocka_unit_test(the_last_step_ends_the_last_block),
+        cmocka_unit_test(no_block_is_over_before_it_begins),
         cmocka_unit_test(steps_until_a_moment_are_0_once),
         cmocka_unit_test(an_interval_counts_from_the_moment_on),
         cmocka_unit_test(blocks_begin_at_the_moment),
