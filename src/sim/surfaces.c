@@ -36,8 +36,8 @@ typedef struct summing {
     double time; ///< s, over which the sums go
 } summing;
 
-/** Whether the material of a shape goes on while its places stay: a belt. */
-static bool has_belt(const clod_wall *wall, const clod_shape *shape)
+/** Whether the material of a shape goes on while its places stay, as that of a belt does. */
+static bool material_passes(const clod_wall *wall, const clod_shape *shape)
 {
     const clod_vec3 all = wall->surface_velocity;
     return clod_belt_moves(&shape->belt) || clod_vec3_dot(all, all) > 0.0;
@@ -63,7 +63,7 @@ static void add_element(void *context, const clod_wall *wall, clod_wear_place at
     to->finnie += finnie;
     to->has_archard = to->has_archard || shape->archard > 0.0;
     to->has_finnie = to->has_finnie || shape->finnie > 0.0;
-    to->passes = to->passes || has_belt(wall, shape);
+    to->passes = to->passes || material_passes(wall, shape);
     if (area > 0.0 && self->time > 0.0) {
         to->pressure = fmax(to->pressure, sum[CLOD_WEAR_PRESS] / (area * self->time));
         to->archard_depth = fmax(to->archard_depth, archard / area);
