@@ -107,12 +107,22 @@ static bool put(const request *self, const clod_mesh *mesh, double radius, clod_
     return true;
 }
 
+/** A length that an option gives; errors name the option. */
+static bool read_length(const char *option, const char *text, double *metres,
+                        clod_status *status)
+{
+    clod_status found = {CLOD_OK, ""};
+    return clod_mesh_unit(text, metres, &found) ||
+           clod_status_fail(status, found.code, "%s %s", option, found.text);
+}
+
 static bool run(const request *self, clod_status *status)
 {
     clod_mesh_placing placing = {.scale = 1.0};
     double radius = 0.0;
-    if (!clod_mesh_unit(self->unit, &placing.unit, status) ||
-        (self->radius != NULL && !clod_mesh_unit(self->radius, &radius, status))) {
+    if (!read_length("--unit", self->unit, &placing.unit, status) ||
+        (self->radius != NULL &&
+         !read_length("--grain-radius", self->radius, &radius, status))) {
         return false;
     }
     clod_mesh *mesh = clod_mesh_read(self->path, &placing, status);

@@ -148,6 +148,13 @@ static bool make_executable(FILE *out, const char *text)
 static int write_text(const char *text, const char *path)
 {
     FILE *out = fopen(path, "wx"); // never over a file that is there
+    const char *slash = strrchr(path, '/');
+    if (out == NULL && errno == ENOENT && slash != NULL) {
+        const int length = (int)(slash - path);
+        fprintf(stderr, "clod new: %s: there is no folder %.*s; make it first: mkdir -p %.*s\n",
+                path, length, path, length, path);
+        return CLOD_USAGE;
+    }
     if (out == NULL) {
         fprintf(stderr, "clod new: %s: %s\n", path, strerror(errno));
         return errno == EEXIST ? CLOD_USAGE : CLOD_FAILED;
