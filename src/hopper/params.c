@@ -72,7 +72,7 @@ static const clod_table STRENGTH_TABLE = {.title = "Flow function.", CLOD_ROWS(S
          .kind = CLOD_PARAM_REAL,                                                              \
          .need = CLOD_PARAM_OPTIONAL,                                                          \
          .unit = "rad",                                                                        \
-         CLOD_ABOVE(0, 85 * CLOD_UNIT_DEGREE),                                                           \
+         CLOD_ABOVE(0, 85 * CLOD_UNIT_DEGREE),                                                 \
          .example = word,                                                                      \
          CLOD_AT(P, value),                                                                    \
          GIVEN,                                                                                \
