@@ -16,7 +16,7 @@
 #include "clod/status.h"
 #include "clod_templates.h" // written by the build: tools/templates.cmake
 
-#define TABLES 12 ///< at most
+#define TABLES 8 ///< at most
 
 /** A further file of a template, which is written beside its case. */
 typedef struct table {
@@ -78,12 +78,8 @@ static const template TEMPLATES[] = {
      CLOD_TEMPLATE_LAB_TO_OUTLET,
      {{"shear.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_SHEAR},
       {"wall.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL},
-      {"wall-liner.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL_LINER},
-      {"wall-rust.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL_RUST},
       {"plan.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_PLAN},
       {"ring.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_RING},
-      {"plan-wall.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_PLAN_WALL},
-      {"wall.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL_CASE},
       {"outlet.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_OUTLET},
       {"side.obj", CLOD_TEMPLATE_LAB_TO_OUTLET_SIDE},
       {"chute.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_CHUTE},
@@ -152,9 +148,9 @@ static bool make_executable(FILE *out, const char *text)
 static int write_text(const char *text, const char *path)
 {
     FILE *out = fopen(path, "wx"); // never over a file that is there
-    if (out == NULL && errno == ENOENT) {
-        const char *slash = strrchr(path, '/');
-        const int length = slash != NULL ? (int)(slash - path) : 0;
+    const char *slash = strrchr(path, '/');
+    if (out == NULL && errno == ENOENT && slash != NULL) {
+        const int length = (int)(slash - path);
         fprintf(stderr, "clod new: %s: there is no folder %.*s; make it first: mkdir -p %.*s\n",
                 path, length, path, length, path);
         return CLOD_USAGE;

@@ -6,7 +6,7 @@
 #include "config/law_keys.h"
 #include "config/unit.h"
 
-#define TURN 6.2831853071795865 // rad
+#define TURN (360 * CLOD_UNIT_DEGREE)
 
 const clod_param *clod_param_find(const clod_table *table, const char *key)
 {
@@ -99,9 +99,9 @@ const char *clod_param_range_text(const clod_param *param, char *buffer, size_t 
                          param->kind == CLOD_PARAM_STIFFNESS ||
                          param->kind == CLOD_PARAM_REALS || param->kind == CLOD_PARAM_VECTOR;
     const bool pure = param->unit == NULL || strcmp(param->unit, "1") == 0;
-    const bool angle = !pure && strcmp(param->unit, "rad") == 0 && fabs(param->min) < TURN &&
-                       fabs(param->max) < TURN; // people know angles in degrees
-    const double scale = angle ? 360.0 / TURN : 1.0;
+    const bool angle = !pure && strcmp(param->unit, "rad") == 0 && fabs(param->min) <= TURN &&
+                       fabs(param->max) <= TURN; // people know angles in degrees
+    const double scale = angle ? 1.0 / CLOD_UNIT_DEGREE : 1.0;
     char unit[16] = "";
     if (!pure) {
         snprintf(unit, sizeof unit, " %s", angle ? "deg" : param->unit);

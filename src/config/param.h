@@ -141,7 +141,6 @@ const char *clod_param_range_text(const clod_param *param, char *buffer, size_t 
 // How rows are written: CLOD_AT(struct, field) says where the value goes.
 #define CLOD_AT(type, field) .offset = offsetof(type, field)
 #define CLOD_COUNT(type, field) .count = offsetof(type, field)
-#define CLOD_DEGREE 0.017453292519943295 ///< rad
 #define CLOD_FROM(low, high) .min = (low), .max = (high)
 #define CLOD_ABOVE(low, high) .min = (low), .max = (high), .above_min = true
 #define CLOD_ANY .min = -HUGE_VAL, .max = HUGE_VAL

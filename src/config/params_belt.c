@@ -4,6 +4,7 @@
  */
 
 #include "config/param.h"
+#include "config/unit.h"
 
 #define B clod_case_belt
 #define RUN clod_case_belt_run
@@ -47,7 +48,7 @@ static const clod_param RUNS[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_FROM(-60 * CLOD_DEGREE, 60 * CLOD_DEGREE),
+     CLOD_FROM(-60 * CLOD_UNIT_DEGREE, 60 * CLOD_UNIT_DEGREE),
      .fallback = "0 deg",
      CLOD_AT(RUN, rise),
      .help = "Angle above the horizontal; below 0 the run falls.",
@@ -63,7 +64,7 @@ static const clod_param PULLEY[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_ABOVE(0, 240 * CLOD_DEGREE),
+     CLOD_ABOVE(0, 240 * CLOD_UNIT_DEGREE),
      .fallback = "180 deg",
      CLOD_AT(PULLEY_OF, wrap),
      .help = "Angle of the belt about it, from the end of the last run.",
@@ -126,7 +127,7 @@ static const clod_param BELT[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_FROM(0, 70 * CLOD_DEGREE),
+     CLOD_FROM(0, 70 * CLOD_UNIT_DEGREE),
      .fallback = "0 deg",
      CLOD_AT(B, idler_angle),
      .help = "Angle of the wing rolls above the middle roll; 0 is a flat belt.",

@@ -6,6 +6,7 @@
 #include "config/params_programme.h"
 #include "config/params_radius.h"
 #include "config/params_tester.h"
+#include "config/unit.h"
 
 #define J clod_case_jenike
 
@@ -65,7 +66,7 @@ static const clod_param ROWS[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_ABOVE(0, 180 * CLOD_DEGREE),
+     CLOD_ABOVE(0, 180 * CLOD_UNIT_DEGREE),
      .fallback = "10 deg",
      CLOD_AT(J, twist_angle),
      .used = is_twisted,

@@ -4,6 +4,7 @@
  */
 
 #include "config/param.h"
+#include "config/unit.h"
 
 #define S clod_case_shape
 
@@ -287,7 +288,7 @@ static const clod_param MESH[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_ABOVE(0, 1.0),
+     CLOD_ABOVE(0, 60 * CLOD_UNIT_DEGREE),
      .fallback = "20 deg",
      CLOD_AT(S, smooth_angle),
      .help = "Facets that bend by less are one smooth surface, on which a grain has one "

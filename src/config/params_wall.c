@@ -4,6 +4,7 @@
  */
 
 #include "config/param.h"
+#include "config/unit.h"
 
 #define W clod_case_wall
 #define O clod_case_oscillation
@@ -139,7 +140,7 @@ static const clod_param OSCILLATION[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_ABOVE(0, 2.0 * M_PI),
+     CLOD_ABOVE(0, 360 * CLOD_UNIT_DEGREE),
      .example = "2 deg",
      CLOD_AT(O, angle),
      .help = "Largest angle of turning to and fro about spin_axis through spin_point, in step "
@@ -159,7 +160,7 @@ static const clod_param OSCILLATION[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_FROM(-2.0 * M_PI, 2.0 * M_PI),
+     CLOD_FROM(-360 * CLOD_UNIT_DEGREE, 360 * CLOD_UNIT_DEGREE),
      .fallback = "0 deg",
      CLOD_AT(O, phase),
      .help = "Phase at the start of the run; at 0 deg the wall starts in the middle and moves "
@@ -193,7 +194,7 @@ static const clod_param ROTATION[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_REQUIRED,
      .unit = "rad",
-     CLOD_FROM(-2.0 * M_PI, 2.0 * M_PI),
+     CLOD_FROM(-360 * CLOD_UNIT_DEGREE, 360 * CLOD_UNIT_DEGREE),
      .example = "30 deg",
      CLOD_AT(R, angle),
      .help = "Angle by the right-hand rule.",

@@ -11,7 +11,6 @@
 #include "config/suggest.h"
 
 #define LONGEST_UNIT 48
-#define DEGREE 0.017453292519943295 // pi/180
 
 static const clod_unit_kind KINDS[] = {
     {"1", "a number", "number", "%"},
@@ -235,7 +234,7 @@ static bool open_database(void)
         ut_set_error_message_handler(ut_ignore);
         database = ut_read_xml(NULL);
         if (database != NULL) {
-            add_name("deg", DEGREE, "radian");
+            add_name("deg", CLOD_UNIT_DEGREE, "radian");
             add_name("psf", 1.0, "lbf/ft^2");
             add_name("pcf", 1.0, "lb/ft^3");
         }

@@ -9,6 +9,9 @@
 
 #define CLOD_UNIT_MESSAGE 256
 
+/** rad in a degree, as a case's "60 deg" is converted: limits of angles are round in degrees. */
+#define CLOD_UNIT_DEGREE 0.017453292519943295
+
 /** Noun and example of an SI unit for messages: "Pa" is a pressure, for instance "54.8 kPa". */
 typedef struct clod_unit_kind {
     const char *unit;    ///< SI, as parameter tables write it; "1" for a pure number

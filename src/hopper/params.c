@@ -1,13 +1,13 @@
 #include "hopper/params.h"
 
 #include "clod/hopper.h"
+#include "config/unit.h"
 #include "hopper/case.h"
 
 #define C clod_hopper_case
 #define P clod_hopper_property
 #define HOWTO "docs/howto/hopper.md"
 #define THEORY "docs/theory/hopper.md"
-#define DEGREE 0.017453292519943295
 
 #define FILE_ROW(type, field, text)                                                            \
     {                                                                                          \
@@ -72,14 +72,14 @@ static const clod_table STRENGTH_TABLE = {.title = "Flow function.", CLOD_ROWS(S
          .kind = CLOD_PARAM_REAL,                                                              \
          .need = CLOD_PARAM_OPTIONAL,                                                          \
          .unit = "rad",                                                                        \
-         CLOD_ABOVE(0, 85 * DEGREE),                                                           \
+         CLOD_ABOVE(0, 85 * CLOD_UNIT_DEGREE),                                                 \
          .example = word,                                                                      \
          CLOD_AT(P, value),                                                                    \
          GIVEN,                                                                                \
          .help = "The " what ", the same at any stress.",                                      \
          .source = HOWTO},                                                                     \
         REAL_ROW(P, "error", error, "rad", "1 deg", "Standard error of angle.",                \
-                 CLOD_FROM(0, 30 * DEGREE))
+                 CLOD_FROM(0, 30 * CLOD_UNIT_DEGREE))
 
 static const clod_param PHI_E[] = {
     ANGLE_ROWS("effective angle of internal friction", "45 deg")};
@@ -113,7 +113,7 @@ static const clod_param SHAPE[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "rad",
-     CLOD_FROM(0, 60 * DEGREE),
+     CLOD_FROM(0, 60 * CLOD_UNIT_DEGREE),
      .zero_word = "auto",
      .fallback = "auto",
      .example = "20 deg",
@@ -228,7 +228,7 @@ static const clod_param ROWS[] = {
      .source = THEORY},
     DEFAULT_ROW(C, "margin", margin, "rad", "3 deg",
                 "How far a half angle stays below the limit of mass flow.",
-                CLOD_FROM(0, 20 * DEGREE)),
+                CLOD_FROM(0, 20 * CLOD_UNIT_DEGREE)),
     {.key = "arch_thickness",
      .kind = CLOD_PARAM_CHOICE,
      .need = CLOD_PARAM_OPTIONAL,

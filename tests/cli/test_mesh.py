@@ -179,8 +179,9 @@ class Mesh(clod.Case):
         self.assertIn("which mesh file?", clod.run("mesh", "--unit=mm").stderr)
         self.assertIn("one mesh at a time", clod.run("mesh", "a.stl", "b.stl").stderr)
         self.assertIn("clod mesh: --unit kg: ", self.mesh("box.stl", "--unit=kg", code=2))
-        self.assertIn("clod mesh: --grain-radius 3: ",
-                      self.mesh("box.stl", "--unit=mm", "--grain-radius=3", code=2))
+        for radius, wrong in (("3", "3 needs a unit of length"), ("-3mm", "a length above 0 is expected")):
+            self.assertIn(f"clod mesh: --grain-radius {radius}: {wrong}",
+                          self.mesh("box.stl", "--unit=mm", f"--grain-radius={radius}", code=2))
 
     def test_files_that_are_wrong(self):
         self.write("cut.stl", b"\0" * 80 + struct.pack("<I", 12) + b"\0" * 500)

@@ -69,6 +69,13 @@ class Messages(clod.Case):
         self.refused(["run", BOX, "--output="], "--output: the name of a folder is needed")
         self.assertEqual(os.listdir(self.folder), [], "wrong options leave no folder")
 
+    def test_a_new_case_in_a_folder_that_is_not_there(self):
+        done = clod.run("new", "free-run", "sub/deep/x.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, "clod new: sub/deep/x.yaml: there is no folder sub/deep; make it first: mkdir -p sub/deep\n")
+        os.makedirs(self.path("sub/deep"))
+        self.assertEqual(clod.run("new", "free-run", "sub/deep/x.yaml", cwd=self.folder).returncode, 0)
+
     def test_more_threads_than_processors(self):
         # as many are used as there are; the results do not depend on it
         case = self.path("ball.yaml")

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "config/unit.h"
@@ -46,6 +47,18 @@ static void refused(const char *text, const char *unit, const char *part)
     if (clod_unit_convert(written, unit, &value, message) || strstr(message, part) == NULL) {
         fail_msg("%s for %s gave %.17g and \"%s\"", text, unit, value, message);
     }
+}
+
+/** Limits of angles are so many degrees: what a user writes for one is allowed, to the last bit. */
+static void degrees_are_those_of_the_limits(void **state)
+{
+    (void)state;
+    for (int degrees = -360; degrees <= 360; degrees++) {
+        char text[32];
+        snprintf(text, sizeof text, "%d deg", degrees);
+        assert_true(convert(text, "rad") == degrees * CLOD_UNIT_DEGREE);
+    }
+    same(CLOD_UNIT_DEGREE, PI / 180.0);
 }
 
 static void units_of_the_field_are_exact(void **state)
@@ -212,6 +225,7 @@ static void other_stiffness_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(degrees_are_those_of_the_limits),
         cmocka_unit_test(units_of_the_field_are_exact),
         cmocka_unit_test(typeset_spellings_are_read),
         cmocka_unit_test(pure_numbers_take_percent_only),
