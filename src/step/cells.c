@@ -117,12 +117,11 @@ static int32_t add(int32_t *number, int32_t by, bool shared)
 /** Note a row of a cell, if it is the last one yet. */
 static void note_row(int32_t *last, int32_t row, bool shared)
 {
-    int32_t was = *last;
     if (!shared) {
-        *last = row > was ? row : was;
+        *last = row > *last ? row : *last;
         return;
     }
-    was = __atomic_load_n(last, __ATOMIC_RELAXED);
+    int32_t was = __atomic_load_n(last, __ATOMIC_RELAXED);
     while (was < row && !__atomic_compare_exchange_n(last, &was, row, true, __ATOMIC_RELAXED,
                                                      __ATOMIC_RELAXED)) {
     }
