@@ -63,31 +63,30 @@ static size_t used_cells(const history_map *self, const clod_strength_grid *grid
     return used;
 }
 
-/** The cell with the strongest contact; NULL: there was none. */
-static const clod_strength_cell *strongest(const history_map *self,
-                                           const clod_strength_grid *grid)
+/** Largest past force of a cell's contacts [N]; below 0: it had none. */
+static double force_of(const clod_strength_cell *cell)
 {
-    const clod_strength_cell *best = NULL;
-    for (int64_t k = 0; k < clod_strength_grid_cells(grid); k++) {
-        const clod_strength_cell *cell = &self->cell[k];
-        if (cell->contacts > 0 && (best == NULL || cell->most_pressed > best->most_pressed)) {
-            best = cell;
-        }
-    }
-    return best;
+    return cell->contacts > 0 ? cell->most_pressed : -1.0;
 }
 
-/** The cell whose contacts gained most; NULL: none did. */
-static const clod_strength_cell *gained_most(const history_map *self,
-                                             const clod_strength_grid *grid)
+/** What a cell's contacts gained of past force, summed over the samples [N/s]; below 0: nothing. */
+static double gain_of(const clod_strength_cell *cell)
+{
+    return cell->gaining > 0 ? clod_strength_force_value(&cell->pressed_gain) : -1.0;
+}
+
+/** The first cell with the largest value; NULL: none has one. */
+static const clod_strength_cell *largest(const history_map *self,
+                                         const clod_strength_grid *grid,
+                                         double (*value)(const clod_strength_cell *))
 {
     const clod_strength_cell *best = NULL;
-    double most = 0.0;
+    double most = -1.0;
     for (int64_t k = 0; k < clod_strength_grid_cells(grid); k++) {
-        const double gained = clod_strength_force_value(&self->cell[k].pressed_gain);
-        if (gained > most) {
+        const double found = value(&self->cell[k]);
+        if (found > most) {
             best = &self->cell[k];
-            most = gained;
+            most = found;
         }
     }
     return best;
@@ -99,6 +98,15 @@ static void corner_of(const clod_strength_grid *grid, int64_t k, double corner[3
         corner[a] = grid->low[a] + grid->edge * (double)(k % grid->cells[a]);
         k /= grid->cells[a];
     }
+}
+
+/** Print the middle of a cell. */
+static void put_middle(FILE *out, const clod_strength_grid *grid, int64_t k)
+{
+    double corner[3];
+    corner_of(grid, k, corner);
+    fprintf(out, "in the one at (%.4g, %.4g, %.4g) m", corner[0] + 0.5 * grid->edge,
+            corner[1] + 0.5 * grid->edge, corner[2] + 0.5 * grid->edge);
 }
 
 /** Mean of a sample [N/s]. */
@@ -114,25 +122,19 @@ static void map_report(FILE *out, const void *memory, const clod_free_moment *no
         return;
     }
     const clod_strength_grid grid = grid_of(now->from);
-    const clod_strength_cell *best = strongest(self, &grid);
     fprintf(out, "  history map           %zu of %" PRId64 " cells had contacts",
             used_cells(self, &grid), clod_strength_grid_cells(&grid));
+    const clod_strength_cell *best = largest(self, &grid, force_of);
     if (best != NULL) {
-        double corner[3];
-        corner_of(&grid, best - self->cell, corner);
-        fprintf(out,
-                "; pressed most, %.4g N, in the one at (%.4g, %.4g, %.4g) m, which pulls with "
-                "up to %.4g N",
-                best->most_pressed, corner[0] + 0.5 * grid.edge, corner[1] + 0.5 * grid.edge,
-                corner[2] + 0.5 * grid.edge, best->most_pull_off);
+        fprintf(out, "; pressed most, %.4g N, ", best->most_pressed);
+        put_middle(out, &grid, best - self->cell);
+        fprintf(out, ", which pulls with up to %.4g N", best->most_pull_off);
     }
-    const clod_strength_cell *most = gained_most(self, &grid);
+    const clod_strength_cell *most = largest(self, &grid, gain_of);
     if (most != NULL) {
-        double corner[3];
-        corner_of(&grid, most - self->cell, corner);
-        fprintf(out, "; gains most, %.4g N/s of past force, in the one at (%.4g, %.4g, %.4g) m",
-                gained(self, &most->pressed_gain), corner[0] + 0.5 * grid.edge,
-                corner[1] + 0.5 * grid.edge, corner[2] + 0.5 * grid.edge);
+        fprintf(out, "; gains most, %.4g N/s of past force, ",
+                gained(self, &most->pressed_gain));
+        put_middle(out, &grid, most - self->cell);
     }
     fputs(" (history_map.hdf)\n", out);
 }
@@ -157,7 +159,7 @@ static json_t *map_json(const void *memory, const clod_free_moment *now)
 {
     const history_map *self = memory;
     const clod_strength_grid grid = grid_of(now->from);
-    const clod_strength_cell *best = strongest(self, &grid);
+    const clod_strength_cell *best = largest(self, &grid, force_of);
     json_t *object = json_pack("{s:f, s:I, s:I, s:I, s:f}", "since_s", now->steady.since,
                                "cells", (json_int_t)clod_strength_grid_cells(&grid),
                                "used_cells", (json_int_t)used_cells(self, &grid), "samples",
@@ -170,7 +172,7 @@ static json_t *map_json(const void *memory, const clod_free_moment *now)
                                       corner[2], "largest_past_force_N", best->most_pressed,
                                       "largest_pull_off_N", best->most_pull_off));
     }
-    const clod_strength_cell *most = gained_most(self, &grid);
+    const clod_strength_cell *most = largest(self, &grid, gain_of);
     if (most != NULL) {
         double corner[3];
         corner_of(&grid, most - self->cell, corner);

@@ -315,8 +315,8 @@ static void set_start_ups(moving *self)
     }
 }
 
-/** The step of the other run if laws are the same and it is not too long, else this case's own. */
-static bool set_step(moving *self, clod_status *status)
+/** Time goes on, belts start from now, with the other run's step if it may, else this case's own. */
+static bool set_time(moving *self, clod_status *status)
 {
     clod_state *state = self->state;
     const clod_state *other = &self->other;
@@ -393,7 +393,7 @@ static bool move_all(moving *self, clod_status *status)
     }
     move_contacts(self);
     move_grains(self);
-    return check_domain(self, status) && set_step(self, status) && set_build(self, status);
+    return check_domain(self, status) && set_time(self, status) && set_build(self, status);
 }
 
 bool clod_origin_state(const clod_origin *self, const clod_case *from, clod_state *state,
