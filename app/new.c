@@ -16,7 +16,7 @@
 #include "clod/status.h"
 #include "clod_templates.h" // written by the build: tools/templates.cmake
 
-#define TABLES 8 ///< at most
+#define TABLES 12 ///< at most
 
 /** A further file of a template, which is written beside its case. */
 typedef struct table {
@@ -78,8 +78,12 @@ static const template TEMPLATES[] = {
      CLOD_TEMPLATE_LAB_TO_OUTLET,
      {{"shear.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_SHEAR},
       {"wall.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL},
+      {"wall-liner.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL_LINER},
+      {"wall-rust.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL_RUST},
       {"plan.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_PLAN},
       {"ring.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_RING},
+      {"plan-wall.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_PLAN_WALL},
+      {"wall.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL_CASE},
       {"outlet.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_OUTLET},
       {"side.obj", CLOD_TEMPLATE_LAB_TO_OUTLET_SIDE},
       {"chute.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_CHUTE},
