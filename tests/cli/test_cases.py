@@ -268,6 +268,10 @@ class Cases(clod.Case):
                             # (1.8^2 - 1^2) m2/s2 / (2 x 0.6 x 9.81 m/s2) = 190 mm; 591 mm with the 400 mm of the inlet
                             (["--feed-length", "590"], "from the inlet to the pulley are 190 mm: at least 591 mm"),
                             (["--feed-length", "591"], ""),
+                            # as much as a quarter of a grain thick: one layer of grains, about which 6 mm are right
+                            (["--flow", "1"], ""),
+                            (["--speed", "2.5", "--top", "1500", "--receiving", "200"], ""),
+                            (["--stream", "2"], "thinner than a grain, 6.35 mm"),
                             # 3 t/h / (1.8 m/s x 120 mm x 1500 kg/m3) = 2.6 mm
                             (["--stream", "25"], "are 2.6 mm thick")):
             done = self.geometry(words)

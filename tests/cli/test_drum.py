@@ -71,6 +71,15 @@ class Drum(clod.Case):
         self.assertIn("--data DIR", done.stderr)
         self.assertFalse(os.path.exists(self.path("out")))
 
+    def test_table_without_results(self):
+        """What to run, exit status 2, and no file of nothing."""
+        script = clod.source("cases/rotating-drum/run")
+        done = subprocess.run([sys.executable, script, "--table", "--folder", self.path("out")],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("run the drum first", done.stderr)
+        self.assertFalse(os.path.exists(self.path("out")))
+
 
 if __name__ == "__main__":
     clod.main()

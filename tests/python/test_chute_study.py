@@ -68,6 +68,11 @@ class ChuteStudy(unittest.TestCase):
         self.assertEqual(rows["1"], ["50.0", "2", "50.0"])
         self.assertEqual(rows["all"], ["100", "3", "66.7"])
 
+    def test_carry_back_of_no_folder(self):
+        done = call("carry-back", self.folder + "/nothing")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no such folder", done.stderr)
+
     @unittest.skipIf(h5py is None, "no h5py")
     def test_carry_back_needs_contacts(self):
         done = call("carry-back", self.folder)
