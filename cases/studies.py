@@ -5,11 +5,14 @@ import os
 import subprocess
 
 
-def run_one(clod, folder, name, case, changes):
-    """Run a case with keys changed into folder/name; what it prints goes to files beside. An interrupted run goes on."""
+def run_one(clod, folder, name, case, changes, origin=None):
+    """Run a case with keys changed into folder/name, or on from the run folder/origin; what it prints goes to files
+    beside. An interrupted run goes on."""
     command = [clod, "run", case, "-o", os.path.join(folder, name), "--threads", "1"]
     for change in changes:
         command += ["--set", change]
+    if origin is not None and not os.path.exists(os.path.join(folder, name)):
+        command += ["--from", os.path.join(folder, origin)]
     with open(os.path.join(folder, name + ".txt"), "w") as out, \
             open(os.path.join(folder, name + ".err"), "w") as err:
         status = subprocess.run(command, stdout=out, stderr=err, check=False).returncode
@@ -18,7 +21,7 @@ def run_one(clod, folder, name, case, changes):
 
 
 def run_all(clod, folder, jobs, runs):
-    """Run {name: (case, changes)}, so many side by side, on one thread each: bits do not depend on it. Exit status."""
+    """Run {name: (case, changes) or (case, changes, origin)}, so many side by side, on one thread each: bits do not depend on it. Exit status."""
     os.makedirs(folder, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         statuses = list(pool.map(lambda name: run_one(clod, folder, name, *runs[name]), runs))

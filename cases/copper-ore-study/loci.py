@@ -47,6 +47,17 @@ def of_tests(clod, folder, names):
     return evaluated(clod, folder, "\n".join(lines) + "\n")
 
 
+def peaks(folder, name):
+    """Peak of each point [Pa]."""
+    with open(os.path.join(folder, name, "points.csv")) as file:
+        return [float(row["tau_sh [Pa]"]) for row in csv.DictReader(file)]
+
+
+def points_without_peak(folder, name):
+    """Number of points whose stress rose until the longest shear."""
+    return sum("no peak" in part.get("flags", []) for part in summary(folder, name)["parts"])
+
+
 def rows_of(folder, name, part, phase):
     """Pairs (way [m], shear stress [Pa]) of a phase of a part."""
     with open(os.path.join(folder, name, part + ".csv")) as file:

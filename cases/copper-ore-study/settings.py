@@ -28,6 +28,7 @@ def preshear(way):
 NO_ROLLING = ["contacts.default.rolling_friction=0"]
 COULOMB = {limit: [f"contacts.default.coulomb={limit}"] for limit in ("force", "adhesive")}
 LONG = ["ring_shear.preshear_max=120 mm"]
+FAR = ["ring_shear.beyond_peak=10 mm", "ring_shear.shear_max=25 mm"]
 
 
 def choices(ore):
@@ -66,6 +67,7 @@ def choices(ore):
         "step x 3": ["time.safety=0.3"],
         "step / 3": ["time.safety=0.03333"],
         "1e-7": ["time.step=1e-7 s"],
+        "10 mm beyond the peak": FAR,
     } | {f"preshear over {way} mm": preshear(way) for way in WAYS}
 
 
@@ -76,6 +78,9 @@ SHORT = {"coulomb: force": "force", "coulomb: adhesive": "adhesive", "preshear t
          "preshear to 120 mm": "long", "adhesive, preshear to 120 mm": "adhesive-long",
          "force, no rolling resistance": "force-no-rolling-resistance",
          "adhesive, no rolling resistance": "adhesive-no-rolling-resistance"}
+
+
+BEYOND = "10 mm beyond the peak"  # only the points differ: its tests go on from the preshear of the case's
 
 
 def name_of(choice, seed=1, ore="ore5"):
@@ -106,7 +111,9 @@ def set_of(listed):
             for seed in SEEDS[:PACKINGS]]
 
 
-SETS = {"matrix": set_of(MATRIX), "ways": set_of(f"preshear over {way} mm" for way in WAYS)}
+SETS = {"matrix": set_of(MATRIX), "ways": set_of(f"preshear over {way} mm" for way in WAYS),
+        "beyond": set_of([BEYOND])}
+ORIGINS = {name_of(BEYOND, seed, ore): name_of("", seed, ore) for ore in CASES for seed in SEEDS}
 
 
 def groups(found):

@@ -88,7 +88,7 @@ class Settings(unittest.TestCase):
                       "'ring_shear.preshear_min=20 mm' --set 'ring_shear.preshear_max=20 mm'", done.stdout)
         done = subprocess.run([TOOL, "ore6-seed1"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("no test called ore6-seed1; there are matrix, ways, ore5-seed1", done.stderr)
+        self.assertIn("no test called ore6-seed1; sets are matrix, ways, beyond; tests of the 5 % ore ore5-seed1, ore5-force", done.stderr)
 
 
 class Chance(unittest.TestCase):
@@ -162,6 +162,27 @@ class Tables(unittest.TestCase):
         self.assertIn("| the case | 5 % | highest points | 2 | 32.0 ± 2.0 |", text)
         self.assertIn("| coulomb: force | 8 % | phi_lin | 1 | 44.0 | -0.8 | -2.7 | yes | - |", text)
         self.assertIn("with the same reading of the same setting: none of 0;", text)
+
+    def test_peaks_further_on(self):
+        """Of four points, the last rises on by a tenth of 8 kPa + 43.84 kPa tan 30 degrees, and has no peak."""
+        name = "ore5-10-mm-beyond-the-peak"
+        write_test(self.folder, name, 30.0)
+        path = os.path.join(self.folder, name, "points.csv")
+        with open(path) as file:
+            *rows, last = file.read().splitlines()
+        values = last.split(",")
+        values[4] = repr(1.1 * float(values[4]))
+        with open(path, "w") as file:
+            file.write("\n".join([*rows, ",".join(values)]) + "\n")
+        path = os.path.join(self.folder, name, "summary.json")
+        with open(path) as file:
+            summary = json.load(file)
+        summary["parts"].append({"part": "point-4", "flags": ["no peak"]})
+        with open(path, "w") as file:
+            json.dump(summary, file)
+        text = self.show("beyond")
+        self.assertIn("| 5 % | 1 | 1 of 4 | 1 | +10.0 % | 30.0", text)
+        self.assertNotIn("8 %", text)
 
     def test_tests_of_other_machines_count(self):
         """Kept are 30, 34 and 44 degrees; on another machine seed 2 has 36 in place of 34, seed 3 has 42: mean 36."""
