@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/measured_header.h"
 #include "analysis/study_file.h"
 #include "base/given.h"
 #include "base/input.h"
@@ -71,6 +72,20 @@ static bool is_density(const char *header)
            !has_strength(header);
 }
 
+bool clod_measured_over_sigma_1(const char *text, size_t length)
+{
+    static const char *const SHEAR[] = {"sigma_sh", "sigma_s", "sigma",     "tau_sh",
+                                        "tau_s",    "tau",     "sigma_pre", "tau_pre"};
+    char header[HEADER];
+    CLOD_NEED(text);
+    header_of(text, length, header);
+    bool shear = is_wall(header);
+    for (size_t k = 0; k < sizeof SHEAR / sizeof *SHEAR; k++) {
+        shear = shear || has(header, SHEAR[k]);
+    }
+    return has(header, "sigma_1") && !shear;
+}
+
 /** A table that is none of the kinds, but known. */
 static bool check_header(const char *path, const char *text, size_t length, clod_status *status)
 {
@@ -88,7 +103,7 @@ static bool check_header(const char *path, const char *text, size_t length, clod
         return clod_status_fail(
             status, CLOD_USAGE,
             "%s: is a flow function, which is evaluated already; clod hopper reads it, as "
-            "flow_function: {file: %s}.",
+            "flow_function: {file: %s}, and clod calibrate, as locus of a target.",
             path, path);
     }
     return true;
