@@ -72,18 +72,22 @@ static bool is_density(const char *header)
            !has_strength(header);
 }
 
-bool clod_measured_over_sigma_1(const char *text, size_t length)
+clod_measured_stress clod_measured_stress_of(const char *text, size_t length)
 {
     static const char *const SHEAR[] = {"sigma_sh", "sigma_s", "sigma",     "tau_sh",
                                         "tau_s",    "tau",     "sigma_pre", "tau_pre"};
     char header[HEADER];
     CLOD_NEED(text);
     header_of(text, length, header);
-    bool shear = is_wall(header);
-    for (size_t k = 0; k < sizeof SHEAR / sizeof *SHEAR; k++) {
-        shear = shear || has(header, SHEAR[k]);
+    if (is_wall(header)) {
+        return CLOD_MEASURED_OF_WALL;
     }
-    return has(header, "sigma_1") && !shear;
+    for (size_t k = 0; k < sizeof SHEAR / sizeof *SHEAR; k++) {
+        if (has(header, SHEAR[k])) {
+            return CLOD_MEASURED_OF_SHEAR;
+        }
+    }
+    return has(header, "sigma_1") ? CLOD_MEASURED_OF_SIGMA_1 : CLOD_MEASURED_OF_NONE;
 }
 
 /** A table that is none of the kinds, but known. */

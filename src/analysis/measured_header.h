@@ -4,9 +4,15 @@
  * What the header of a measured table says beyond the kinds that `clod locus` evaluates.
  */
 
-#include <stdbool.h>
 #include <stddef.h>
 
-/** Whether a table is of properties over sigma_1, as a flow function or bulk densities, and neither of
- *  shear points nor of a wall yield locus. Threads  pure.   Test  tests/calibrate/test_plan_curves.c */
-bool clod_measured_over_sigma_1(const char *text, size_t length);
+/** Which stresses a table has. */
+typedef enum clod_measured_stress {
+    CLOD_MEASURED_OF_NONE,    ///< no column of a stress that is known
+    CLOD_MEASURED_OF_SHEAR,   ///< normal and shear stress of shear points
+    CLOD_MEASURED_OF_WALL,    ///< those at a wall
+    CLOD_MEASURED_OF_SIGMA_1, ///< the major principal one, as a flow function and bulk densities
+} clod_measured_stress;
+
+/** Of the first line that is no comment. Threads  pure.   Test  tests/calibrate/test_plan_curves.c */
+clod_measured_stress clod_measured_stress_of(const char *text, size_t length);

@@ -222,11 +222,17 @@ const clod_plan_table CLOD_PLAN_TABLE_WALL = {
 
 // ---- all of them
 
-static const char *const WHAT[] = {
-    [CLOD_PLAN_IS_SHEAR] = "shear points (columns sigma_sh, tau_sh)",
-    [CLOD_PLAN_IS_WALL] = "a wall yield locus (sigma_w, tau_w)",
-    [CLOD_PLAN_IS_DENSITY] = "bulk densities (sigma_1, rho_b)",
-    [CLOD_PLAN_IS_FLOW] = "a flow function (sigma_1, sigma_c)",
+typedef struct words {
+    const char *columns, *what;
+} words;
+
+/** Columns by which a table is known, and what it then is. */
+static const words WORDS[] = {
+    [CLOD_PLAN_IS_NONE] = {"none of the columns sigma_sh, sigma_w and sigma_1", ""},
+    [CLOD_PLAN_IS_SHEAR] = {"sigma_sh or tau_sh", "shear points (sigma_sh, tau_sh)"},
+    [CLOD_PLAN_IS_WALL] = {"sigma_w or tau_w", "a wall yield locus (sigma_w, tau_w)"},
+    [CLOD_PLAN_IS_DENSITY] = {"sigma_1", "bulk densities (sigma_1, rho_b)"},
+    [CLOD_PLAN_IS_FLOW] = {"sigma_1", "a flow function (sigma_1, sigma_c)"},
 };
 
 /** What a table is, by its header; false with status. */
@@ -237,11 +243,15 @@ static bool look(const char *path, clod_plan_is *is, clod_status *status)
     if (!clod_input_read(path, SIZE_MAX, &text, &length, status)) {
         return false;
     }
-    const clod_measured_kind kind = clod_measured_kind_of(text, length);
-    *is = kind == CLOD_MEASURED_DENSITY              ? CLOD_PLAN_IS_DENSITY
-          : clod_measured_over_sigma_1(text, length) ? CLOD_PLAN_IS_FLOW
-          : kind == CLOD_MEASURED_WALL               ? CLOD_PLAN_IS_WALL
-                                                     : CLOD_PLAN_IS_SHEAR;
+    static const clod_plan_is BY_STRESS[] = {
+        [CLOD_MEASURED_OF_NONE] = CLOD_PLAN_IS_NONE,
+        [CLOD_MEASURED_OF_SHEAR] = CLOD_PLAN_IS_SHEAR,
+        [CLOD_MEASURED_OF_WALL] = CLOD_PLAN_IS_WALL,
+        [CLOD_MEASURED_OF_SIGMA_1] = CLOD_PLAN_IS_FLOW,
+    };
+    *is = clod_measured_kind_of(text, length) == CLOD_MEASURED_DENSITY
+              ? CLOD_PLAN_IS_DENSITY
+              : BY_STRESS[clod_measured_stress_of(text, length)];
     clod_memory_free(text);
     return true;
 }
@@ -258,14 +268,12 @@ static const clod_plan_table *find_table(maker *self, size_t test, clod_plan_is 
             return table;
         }
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "",
-                                 WHAT[table->is]);
+                                 WORDS[table->is].what);
     }
     clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
-                    "has %s in its header, as %s, and of tables test %s takes %s",
-                    is == CLOD_PLAN_IS_SHEAR  ? "neither sigma_1 nor sigma_w"
-                    : is == CLOD_PLAN_IS_WALL ? "sigma_w or tau_w"
-                                              : "sigma_1",
-                    WHAT[is], self->wish->test, list);
+                    "has %s in its header%s%s, and of tables test %s takes %s",
+                    WORDS[is].columns, WORDS[is].what[0] != '\0' ? ", as " : "", WORDS[is].what,
+                    self->wish->test, list);
     return NULL;
 }
 
@@ -288,7 +296,7 @@ static const clod_number *number_of(maker *self, size_t test, const clod_plan_ta
     }
     clod_check_fail(self->loader, clod_plan_targets_at(self, "number"),
                     "%s is none of %s; of such a table it is %s%s%s", wish->number,
-                    WHAT[table->is], numbers[0], numbers[1] != NULL ? " or " : "",
+                    WORDS[table->is].what, numbers[0], numbers[1] != NULL ? " or " : "",
                     numbers[1] != NULL ? numbers[1] : "");
     return NULL;
 }

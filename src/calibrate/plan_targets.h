@@ -35,7 +35,8 @@ void clod_plan_targets_add(clod_plan_maker *self, const clod_plan_target *made,
 
 /** What a measured table is, by its header. */
 typedef enum clod_plan_is {
-    CLOD_PLAN_IS_SHEAR, ///< anything that is none of the others
+    CLOD_PLAN_IS_NONE,
+    CLOD_PLAN_IS_SHEAR,
     CLOD_PLAN_IS_WALL,
     CLOD_PLAN_IS_DENSITY, ///< over sigma_1
     CLOD_PLAN_IS_FLOW,    ///< over sigma_1, and no bulk densities

@@ -219,6 +219,17 @@ static void columns_that_are_wrong_are_told(void **state)
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rhob [kg/m3]\n20,1200\n54.8,1250\n");
     refuse(state, UNIAXIAL, "locus: lab.csv",
            "there is no column \"rhob\"; did you mean rho_b? Known are sigma_1, f_c,");
+    lab_write_file(state, "lab.csv", "sigma1 [kPa],rho_b [kg/m3]\n20,1200\n54.8,1250\n");
+    refuse(
+        state, RING, "locus: lab.csv",
+        "targets.0.locus: has none of the columns sigma_sh, sigma_w and sigma_1 in its header, and "
+        "of tables test lab takes shear points (sigma_sh, tau_sh), bulk densities (sigma_1, rho_b), a flow "
+        "function (sigma_1, sigma_c)");
+    lab_write_file(state, "lab.csv", SHEAR_HEAD "1,54.8,40,12,20,1300\n1,54.8,40,30,30,1300\n");
+    refuse(
+        state, UNIAXIAL, "locus: lab.csv",
+        "has sigma_sh or tau_sh in its header, as shear points (sigma_sh, tau_sh), and of tables test lab "
+        "takes bulk densities");
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kPa]\n20,1200\n54.8,1250\n");
     refuse(state, UNIAXIAL, "locus: lab.csv", "column rho_b [kPa]:");
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n20,1.2\n54.8,1.25\n");
