@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/measured_header.h"
 #include "analysis/study_file.h"
 #include "base/given.h"
 #include "base/input.h"
@@ -71,6 +72,24 @@ static bool is_density(const char *header)
            !has_strength(header);
 }
 
+clod_measured_stress clod_measured_stress_of(const char *text, size_t length)
+{
+    static const char *const SHEAR[] = {"sigma_sh", "sigma_s", "sigma",     "tau_sh",
+                                        "tau_s",    "tau",     "sigma_pre", "tau_pre"};
+    char header[HEADER];
+    CLOD_NEED(text);
+    header_of(text, length, header);
+    if (is_wall(header)) {
+        return CLOD_MEASURED_OF_WALL;
+    }
+    for (size_t k = 0; k < sizeof SHEAR / sizeof *SHEAR; k++) {
+        if (has(header, SHEAR[k])) {
+            return CLOD_MEASURED_OF_SHEAR;
+        }
+    }
+    return has(header, "sigma_1") ? CLOD_MEASURED_OF_SIGMA_1 : CLOD_MEASURED_OF_NONE;
+}
+
 /** A table that is none of the kinds, but known. */
 static bool check_header(const char *path, const char *text, size_t length, clod_status *status)
 {
@@ -88,7 +107,7 @@ static bool check_header(const char *path, const char *text, size_t length, clod
         return clod_status_fail(
             status, CLOD_USAGE,
             "%s: is a flow function, which is evaluated already; clod hopper reads it, as "
-            "flow_function: {file: %s}.",
+            "flow_function: {file: %s}, and clod calibrate, as locus of a target.",
             path, path);
     }
     return true;

@@ -1,5 +1,6 @@
 #include "calibrate/number.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -48,4 +49,16 @@ bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, do
 {
     return clod_test_kinds_of(plan->tests[test].middle)
         ->read(plan, test, folder, values, status);
+}
+
+double clod_number_moved(const clod_plan_target *target, double value, double sigma_1)
+{
+    const clod_curve *curve = target->curve;
+    if (curve == NULL || curve->count < 2) { // one point has no slope
+        return value;
+    }
+    if (!isfinite(sigma_1)) {
+        return (double)NAN;
+    }
+    return value + clod_curve_at(curve, target->normal_stress) - clod_curve_at(curve, sigma_1);
 }

@@ -68,6 +68,16 @@ const char *clod_number_hint(const clod_plan_test *of, const char *key, char *bu
 bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, double *values,
                       clod_status *status);
 
+/**
+ * A number of a run as it would be at the stress of a target: moved along the measured curve by as much
+ * as that changes from the run's own sigma_1 to there (docs/theory/calibration.md).
+ *
+ * @param sigma_1  of the run, Pa; NAN: it has none
+ * @return         the number itself where the target has no curve; NAN without sigma_1
+ * Errors  none.   Threads  pure.   Test  tests/calibrate/test_plan_curves.c
+ */
+double clod_number_moved(const clod_plan_target *target, double value, double sigma_1);
+
 /** The same of a path (number_path.c): the names that the summary has. */
 const char *clod_number_path_hint(const clod_free_paths *of, const char *path, char *buffer,
                                   size_t size);

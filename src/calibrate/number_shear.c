@@ -29,7 +29,7 @@ const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT] = {
 
 static double of_locus(const clod_locus *locus, const clod_plan_target *target)
 {
-    if (target->normal_stress > 0.0) { // tau alone has one
+    if (strcmp(target->number, "tau") == 0) {
         return locus->c.value + target->normal_stress * tan(locus->phi_lin.value);
     }
     double value = (double)NAN;
@@ -38,7 +38,7 @@ static double of_locus(const clod_locus *locus, const clod_plan_target *target)
             value = clod_field_get(locus, k).value;
         }
     }
-    return value;
+    return clod_number_moved(target, value, locus->sigma_1.value);
 }
 
 bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *folder,

@@ -32,8 +32,10 @@ static double of_rows(const json_t *rows, const char *stress_key, const char *ke
 static double of_flow_function(const json_t *summary, const clod_number *self,
                                const clod_plan_target *target)
 {
-    return of_rows(json_object_get(summary, "flow_function"), "consolidation_stress_Pa",
-                   self->field, target);
+    const json_t *rows = json_object_get(summary, "flow_function");
+    const double value = of_rows(rows, "consolidation_stress_Pa", self->field, target);
+    return clod_number_moved(target, value,
+                             of_rows(rows, "consolidation_stress_Pa", "sigma_1_Pa", target));
 }
 
 const clod_number CLOD_NUMBERS_UNIAXIAL[CLOD_NUMBERS_UNIAXIAL_COUNT] = {

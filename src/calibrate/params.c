@@ -72,9 +72,12 @@ static const clod_param WISH[] = {
      .example = "lab.csv",
      CLOD_AT(W, locus),
      .help =
-         "Table of measured points, as clod locus reads it, in place of number and value. Shear points: each "
-         "prorated one with the case's preshear stress is a target tau. A wall yield locus: each point is a "
-         "target phi_x, or, with normal_stress, those there. Repeats at one stress are one target, their mean.",
+         "Table of measured points in place of value, as clod locus or, of a flow function, clod hopper reads "
+         "it. Shear points: each prorated one with the case's preshear stress is a target tau; with number: rho_b "
+         "the mean density of their specimens. A wall yield locus: each point is a target phi_x. Bulk densities "
+         "(sigma_1, rho_b) and a flow function (sigma_1, sigma_c): targets rho_b and sigma_c. Of a uniaxial test "
+         "each row is one; of a shear test the row at normal_stress, to which the test's number is moved along "
+         "the table from its own sigma_1. Repeats at one stress are one target, their mean.",
      .source = HOWTO},
     {.key = "normal_stress",
      .kind = CLOD_PARAM_REAL,
@@ -85,7 +88,8 @@ static const clod_param WISH[] = {
      CLOD_AT(W, normal_stress),
      .help =
          "Of tau: the normal stress at shear; of a uniaxial test: the consolidation stress; of phi_x and "
-         "rho_b of a wall friction test: one of its wall_stresses.",
+         "rho_b of a wall friction test: one of its wall_stresses. With locus: the stress of the rows that are "
+         "targets; of a table over sigma_1 that sigma_1.",
      .source = HOWTO},
     {.key = "held_back",
      .kind = CLOD_PARAM_BOOL,

@@ -101,6 +101,12 @@ void clod_plan_fini(clod_plan *self)
         clod_free_paths_fini(&self->tests[k].paths);
     }
     clod_memory_free(self->targets);
+    while (self->curves != NULL) {
+        clod_plan_curve *first = self->curves;
+        self->curves = first->next;
+        clod_curve_fini(&first->curve);
+        clod_memory_free(first);
+    }
     clod_memory_free(self->path);
     clod_memory_free(self->text);
     clod_load_free(&CLOD_TABLE_PLAN, self);

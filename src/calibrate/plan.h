@@ -12,6 +12,7 @@
 #include "base/warning_list.h"
 #include "clod/case.h"
 #include "clod/status.h"
+#include "hopper/curve.h"
 #include "sim/free_paths.h"
 
 #define CLOD_PLAN_UNIT 32
@@ -39,7 +40,7 @@ typedef struct clod_plan_parameter {
 
 typedef enum clod_plan_scale { CLOD_PLAN_LINEAR, CLOD_PLAN_LOG } clod_plan_scale;
 
-/** A target as written: of one number, or the points of a measured yield locus. */
+/** A target as written: of one number, or the points of a measured table. */
 typedef struct clod_plan_wish {
     char *test, *number, *value, *error, *discrepancy;
     char *locus;          ///< path, resolved against the plan; NULL: number and value
@@ -64,7 +65,16 @@ typedef struct clod_plan_target {
     double value, error, discrepancy; ///< standard deviations
     bool held_back;
     clod_plan_measure measure;
+    /** Measured, over sigma_1: a run's number goes along it from the run's own sigma_1 to normal_stress;
+     *  NULL: it stays as it is. Borrowed from the plan. */
+    const clod_curve *curve;
 } clod_plan_target;
+
+/** A measured curve that targets are on. */
+typedef struct clod_plan_curve {
+    clod_curve curve; ///< owned
+    struct clod_plan_curve *next;
+} clod_plan_curve;
 
 typedef struct clod_plan_sampling {
     int64_t samples; ///< of each chain
@@ -83,6 +93,7 @@ typedef struct clod_plan {
     clod_plan_sampling sampling;
     clod_plan_target *targets; ///< [target_count] owned
     size_t target_count;
+    clod_plan_curve *curves;    ///< owned list; NULL: none
     char *path, *text;          ///< owned: of its file
     clod_warning_list warnings; ///< of its measured tables: wrong units or columns, as a rule
 } clod_plan;

@@ -4,9 +4,13 @@
  */
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "calibrate/number.h"
 #include "calibrate/plan_check.h"
+#include "calibrate/test_kinds.h"
+#include "config/testers.h"
 
 #define FIRM 2.0 // standard errors that make a contradiction
 
@@ -61,8 +65,123 @@ static void check_twice(clod_loader *loader, const clod_plan *self)
     }
 }
 
+// ---- ffc
+
+static bool is(const clod_plan_target *self, size_t test, const char *number)
+{
+    return self->test == test && strcmp(self->number, number) == 0;
+}
+
+/** A stress and how well it is known. */
+typedef struct known {
+    double value, error;
+    const clod_plan_target *from; ///< NULL: the stress of the test itself
+} known;
+
+/** ffc = sigma_1/sigma_c, as sigma_c ffc = sigma_1, which holds for sigma_c = 0, too. */
+static void compare_ffc(clod_loader *loader, const clod_plan *self, const clod_plan_target *ffc,
+                        const clod_plan_target *strength, const known *sigma_1)
+{
+    const double product = ffc->value * strength->value;
+    const double error = sqrt(ffc->error * ffc->error * strength->value * strength->value +
+                              ffc->value * ffc->value * strength->error * strength->error +
+                              sigma_1->error * sigma_1->error);
+    const double apart = fabs(product - sigma_1->value) / error;
+    if (apart <= FIRM) {
+        return;
+    }
+    char place[48] = "the consolidation stress";
+    if (sigma_1->from != NULL) {
+        snprintf(place, sizeof place, "sigma_1 in targets.%zu", sigma_1->from->entry);
+    }
+    clod_check_fail(
+        loader, "targets",
+        "test %s: ffc %.4g in targets.%zu is not sigma_1/sigma_c = %.4g kPa/%.4g kPa, of %s "
+        "and sigma_c in targets.%zu, by %.1f standard errors: they contradict each other; "
+        "correct or leave out one of them",
+        self->tests[ffc->test].name, ffc->value, ffc->entry, 1e-3 * sigma_1->value,
+        1e-3 * strength->value, place, strength->entry, apart);
+}
+
+/** ffc and sigma_c of one consolidation with each sigma_1 that the plan has of it. */
+static void compare_with(clod_loader *loader, const clod_plan *self,
+                         const clod_plan_target *ffc, const clod_plan_target *strength)
+{
+    if (ffc->normal_stress > 0.0) { // that of a lid, which is sigma_1
+        if (fabs(ffc->normal_stress / strength->normal_stress - 1.0) <
+            CLOD_NUMBER_SAME_STRESS) {
+            const double stress = ffc->normal_stress;
+            compare_ffc(loader, self, ffc, strength,
+                        &(known){stress, CLOD_NUMBER_SAME_STRESS * stress, NULL});
+        }
+        return;
+    }
+    for (size_t k = 0; k < self->target_count && strength->curve == NULL; k++) {
+        const clod_plan_target *one = &self->targets[k];
+        if (is(one, ffc->test, "sigma_1")) {
+            compare_ffc(loader, self, ffc, strength, &(known){one->value, one->error, one});
+        }
+    }
+}
+
+static void check_ffc(clod_loader *loader, const clod_plan *self)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        const clod_plan_target *ffc = &self->targets[k];
+        for (size_t m = 0; m < self->target_count && strcmp(ffc->number, "ffc") == 0; m++) {
+            if (is(&self->targets[m], ffc->test, "sigma_c")) {
+                compare_with(loader, self, ffc, &self->targets[m]);
+            }
+        }
+    }
+}
+
+// ---- density
+
+/** The largest density of the grains of a test that the ranges allow; NAN: not known, as without memory. */
+static double solid_density(const clod_plan *self, const clod_plan_test *test)
+{
+    double place[CLOD_PLAN_PARAMETERS]; // a density among the parameters is largest at its end
+    for (size_t k = 0; k < CLOD_PLAN_PARAMETERS; k++) {
+        place[k] = 1.0;
+    }
+    clod_status status = {CLOD_OK, ""};
+    clod_case *dense = clod_plan_case(self, test, place, &status); // a corner, which did load
+    double density = (double)NAN;
+    if (dense != NULL) {
+        const char *grain = clod_config_tester_of(dense)->materials(dense).grain;
+        density = dense->materials[clod_case_material_index(dense, grain)].density;
+    }
+    clod_case_destroy(&dense);
+    return density;
+}
+
+static void check_density(clod_loader *loader, const clod_plan *self)
+{
+    for (size_t t = 0; t < self->test_count; t++) {
+        double solid = (double)NAN;
+        for (size_t k = 0; k < self->target_count; k++) {
+            const clod_plan_target *one = &self->targets[k];
+            if (!is(one, t, "rho_b") || clod_test_kinds_of(self->tests[t].middle)->paths) {
+                continue;
+            }
+            solid = isnan(solid) ? solid_density(self, &self->tests[t]) : solid;
+            if (one->value > solid) {
+                clod_check_fail(
+                    loader, "targets",
+                    "test %s: rho_b %.0f kg/m3 in targets.%zu is above the density of its grains, %.0f "
+                    "kg/m3, which no packing of them reaches; the case needs the density of the solid, and "
+                    "the target that of the bulk",
+                    self->tests[t].name, one->value, one->entry, solid);
+            }
+        }
+    }
+}
+
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self)
 {
     check_angles(loader, self);
     check_twice(loader, self);
+    check_ffc(loader, self);
+    check_density(loader, self);
 }

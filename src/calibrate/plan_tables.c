@@ -1,145 +1,22 @@
 /**
  * @file plan_tables.c
- * Targets of a plan from measured tables: yield loci of shear tests, wall yield loci.
+ * Targets of a plan from measured tables: which table it is, yield loci of shear tests, wall yield loci.
  */
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "analysis/mean.h"
+#include "analysis/measured_header.h"
 #include "analysis/study_file.h"
+#include "base/input.h"
 #include "base/memory.h"
-#include "calibrate/plan_targets.h"
+#include "calibrate/plan_samples.h"
 #include "calibrate/test_kinds.h"
-#include "clod/locus.h"
-#include "clod/wall_locus.h"
+#include "clod/measured.h"
 
 typedef clod_plan_maker maker;
-
-/** A measured point. */
-typedef struct sample {
-    double stress, value, error; ///< SI; error 0: the table has none
-} sample;
-
-/** Those of a table. */
-typedef struct sample_list {
-    sample *items; ///< [count] owned
-    size_t count;
-    double slope;    ///< of value over stress, 0: an angle has hardly any
-    double *scratch; ///< [count] owned
-} sample_list;
-
-/** Room for so many; false when there is none, which the report notes. */
-static bool list_init(sample_list *self, maker *make, size_t room)
-{
-    *self = (sample_list){.items = clod_memory_alloc(room, sizeof *self->items),
-                          .scratch = clod_memory_alloc(room, sizeof *self->scratch)};
-    const bool good = self->items != NULL && self->scratch != NULL;
-    make->loader->report->lost = make->loader->report->lost || !good;
-    return good;
-}
-
-static void list_fini(sample_list *self)
-{
-    clod_memory_free(self->items);
-    clod_memory_free(self->scratch);
-}
-
-/** What all points of a table have in common; false after a complaint. */
-static bool common_of(maker *self, size_t test, const clod_number *kind, clod_plan_target *to)
-{
-    *to = (clod_plan_target){
-        .test = test, .held_back = self->wish->held_back, .measure = kind->measure};
-    return clod_plan_targets_deviation(self, "error", self->wish->error, kind, false,
-                                       &to->error) &&
-           clod_plan_targets_deviation(self, "discrepancy", self->wish->discrepancy, kind,
-                                       false, &to->discrepancy);
-}
-
-static const clod_plan_table *table_of(const maker *self, size_t test)
-{
-    return clod_test_kinds_of(self->plan->tests[test].middle)->table;
-}
-
-/** A measured point, or the mean of those at one stress, as a target. */
-static void make_point(maker *self, const clod_number *kind, const clod_plan_target *common,
-                       sample point)
-{
-    clod_plan_target made = *common;
-    made.normal_stress = point.stress;
-    made.value = point.value;
-    made.error = point.error;
-    if (made.error <= 0.0) {
-        clod_check_fail(self->loader, clod_plan_targets_at(self, ""),
-                        "needs the key error: the table has no %s at %.6g kPa",
-                        table_of(self, made.test)->error_column, 1e-3 * point.stress);
-    } else if (made.value < kind->least || made.value > kind->most) {
-        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
-                        "has a %s of %.6g %s at %.6g kPa; allowed is %.6g to %.6g %s",
-                        kind->key, kind->measure.factor * made.value, kind->measure.unit,
-                        1e-3 * point.stress, kind->measure.factor * kind->least,
-                        kind->measure.factor * kind->most, kind->measure.unit);
-    } else if (clod_plan_targets_check_stress(self, made.test, kind, kind->key, point.stress)) {
-        clod_plan_targets_add(self, &made, kind->key);
-    }
-}
-
-// ---- repeats
-
-/** Move the points at the stress of the first to its side, all in their order; how many there are. */
-static size_t gather(sample *points, size_t count)
-{
-    size_t same = 1;
-    for (size_t k = 1; k < count; k++) {
-        const sample one = points[k];
-        if (fabs(one.stress / points[0].stress - 1.0) < CLOD_NUMBER_SAME_STRESS) {
-            memmove(&points[same + 1], &points[same], (k - same) * sizeof *points);
-            points[same++] = one;
-        }
-    }
-    return same;
-}
-
-/**
- * Repeats at one stress are one measurement of the material: the mean of the values, moved along the
- * slope to the mean of the stresses, with the larger of the stated error of that mean,
- * sqrt(sum e_i^2)/n, and the standard error from their scatter, s/sqrt(n) (clod_mean_of has the
- * source). Error 0: a point has none.
- */
-static sample mean_of(const sample *points, size_t count, double slope, double *values)
-{
-    sample mean = {0};
-    double stated = 0.0;
-    bool known = true;
-    for (size_t k = 0; k < count; k++) {
-        mean.stress += points[k].stress / (double)count;
-        stated += points[k].error * points[k].error;
-        known = known && points[k].error > 0.0;
-    }
-    for (size_t k = 0; k < count; k++) {
-        values[k] = points[k].value + slope * (mean.stress - points[k].stress);
-    }
-    const clod_locus_value of = clod_mean_of(values, count, stated);
-    mean.value = of.value;
-    mean.error = known ? of.error : 0.0;
-    return mean;
-}
-
-/** A target of each stress of a table. */
-static void make_points(maker *self, const clod_number *kind, const clod_plan_target *common,
-                        const sample_list *from)
-{
-    for (size_t k = 0; k < from->count; k++) {
-        sample *one = &from->items[k];
-        one->error = one->error > 0.0 ? one->error : common->error;
-    }
-    for (size_t first = 0, same; first < from->count; first += same) {
-        sample *points = &from->items[first];
-        same = gather(points, from->count - first);
-        make_point(self, kind, common, mean_of(points, same, from->slope, from->scratch));
-    }
-}
+typedef clod_plan_sample sample;
 
 // ---- shear tests
 
@@ -167,17 +44,37 @@ static void make_locus_points(maker *self, const clod_number *kind,
                               const clod_plan_target *common, const clod_locus *locus,
                               const clod_locus_point *points, size_t count)
 {
-    sample_list list;
-    if (list_init(&list, self, locus->point_count)) {
+    clod_plan_samples list;
+    if (clod_plan_samples_init(&list, self, locus->point_count)) {
         list.slope = tan(locus->phi_lin.value);
+        list.error_column = "tau_sh_error";
         for (size_t k = 0; k < locus->point_count; k++) {
             const clod_locus_mark *mark = &locus->marks[k];
             list.items[list.count++] =
                 (sample){mark->sigma, mark->prorated, error_of(mark, points, count)};
         }
-        make_points(self, kind, common, &list);
+        clod_plan_samples_merge(&list, common->error);
+        clod_plan_samples_make(self, kind, common, &list, 0.0);
     }
-    list_fini(&list);
+    clod_plan_samples_fini(&list);
+}
+
+/** The bulk density of a yield locus: the mean of its specimens. */
+static void make_density(maker *self, const clod_number *kind, const clod_plan_target *common,
+                         const clod_locus *locus)
+{
+    const clod_locus_value *rho_b = &locus->rho_b;
+    if (isnan(rho_b->value)) {
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
+                        "has no rho_b at the preshear stress of test %s; add the column, or "
+                        "give number and value",
+                        self->wish->test);
+        return;
+    }
+    sample one = {.value = rho_b->value,
+                  .error = isfinite(rho_b->error) ? rho_b->error : common->error};
+    const clod_plan_samples list = {.items = &one, .count = 1, .error_column = "rho_b_error"};
+    clod_plan_samples_make(self, kind, common, &list, 0.0);
 }
 
 /** "0.6, 1.2": preshear stresses of a table. */
@@ -192,22 +89,26 @@ static const char *list_preshears(const clod_locus_study *study, char *buffer, s
     return buffer;
 }
 
-/** Points of the locus with the preshear stress of the test. */
+/** Points, or the density, of the locus with the preshear stress of the test. */
 static void make_marks(maker *self, size_t test, const clod_number *kind,
                        const clod_locus_study *study, const clod_locus_point *points,
                        size_t count)
 {
     const double preshear = clod_case_shear(self->plan->tests[test].middle)->preshear_stress;
     clod_plan_target common;
-    if (!common_of(self, test, kind, &common)) {
+    if (!clod_plan_samples_common(self, test, kind, &common)) {
         return;
     }
     for (size_t g = 0; g < study->count; g++) {
         const clod_locus *locus = &study->groups[g].locus;
-        if (fabs(locus->sigma_p.value / preshear - 1.0) >= CLOD_NUMBER_SAME_STRESS) {
+        if (!clod_plan_samples_same(locus->sigma_p.value, preshear)) {
             continue;
         }
-        make_locus_points(self, kind, &common, locus, points, count);
+        if (kind->at_stress) {
+            make_locus_points(self, kind, &common, locus, points, count);
+        } else {
+            make_density(self, kind, &common, locus);
+        }
         for (size_t k = 0; k < locus->warning_count; k++) {
             warn(self, locus->warnings[k]);
         }
@@ -240,7 +141,7 @@ static bool make_locus(maker *self, size_t test, const clod_number *kind, clod_s
 }
 
 const clod_plan_table CLOD_PLAN_TABLE_SHEAR = {
-    .number = "tau", .error_column = "tau_sh_error", .make = make_locus};
+    .is = CLOD_PLAN_IS_SHEAR, .numbers = {"tau", "rho_b"}, .make = make_locus};
 
 // ---- wall friction tests
 
@@ -252,14 +153,14 @@ static sample angle_of(const clod_wall_locus_mark *mark, double stress)
 }
 
 /** phi_x of the points of a wall yield locus, or of those at the wish's normal stress. */
-static void take_angles(maker *self, const clod_wall_locus *locus, sample_list *to)
+static void take_angles(maker *self, const clod_wall_locus *locus, clod_plan_samples *to)
 {
     const double wanted = self->wish->normal_stress;
     size_t found = 0;
     for (size_t k = 0; k < locus->point_count; k++) {
         const clod_wall_locus_point *of = &locus->marks[k].point;
         const double stress = of->wall_stress > 0.0 ? of->wall_stress : of->sigma;
-        if (wanted > 0.0 && fabs(stress / wanted - 1.0) >= CLOD_NUMBER_SAME_STRESS) {
+        if (wanted > 0.0 && !clod_plan_samples_same(stress, wanted)) {
             continue;
         }
         found++;
@@ -281,16 +182,18 @@ static void take_angles(maker *self, const clod_wall_locus *locus, sample_list *
 static void make_angles(maker *self, size_t test, const clod_number *kind,
                         const clod_wall_locus *locus)
 {
-    sample_list list;
+    clod_plan_samples list;
     clod_plan_target common;
-    if (!common_of(self, test, kind, &common)) {
+    if (!clod_plan_samples_common(self, test, kind, &common)) {
         return;
     }
-    if (list_init(&list, self, locus->point_count)) {
+    if (clod_plan_samples_init(&list, self, locus->point_count)) {
+        list.error_column = "tau_w_error";
         take_angles(self, locus, &list);
-        make_points(self, kind, &common, &list);
+        clod_plan_samples_merge(&list, common.error);
+        clod_plan_samples_make(self, kind, &common, &list, 0.0);
     }
-    list_fini(&list);
+    clod_plan_samples_fini(&list);
 }
 
 /** The points of a measured wall yield locus; false with status. */
@@ -315,29 +218,101 @@ static bool make_wall(maker *self, size_t test, const clod_number *kind, clod_st
 }
 
 const clod_plan_table CLOD_PLAN_TABLE_WALL = {
-    .number = "phi_x", .error_column = "tau_w_error", .one_stress = true, .make = make_wall};
+    .is = CLOD_PLAN_IS_WALL, .numbers = {"phi_x"}, .one_stress = true, .make = make_wall};
+
+// ---- all of them
+
+typedef struct words {
+    const char *columns, *what;
+} words;
+
+/** Columns by which a table is known, and what it then is. */
+static const words WORDS[] = {
+    [CLOD_PLAN_IS_NONE] = {"none of the columns sigma_sh, sigma_w and sigma_1", ""},
+    [CLOD_PLAN_IS_SHEAR] = {"sigma_sh or tau_sh", "shear points (sigma_sh, tau_sh)"},
+    [CLOD_PLAN_IS_WALL] = {"sigma_w or tau_w", "a wall yield locus (sigma_w, tau_w)"},
+    [CLOD_PLAN_IS_DENSITY] = {"sigma_1", "bulk densities (sigma_1, rho_b)"},
+    [CLOD_PLAN_IS_FLOW] = {"sigma_1", "a flow function (sigma_1, sigma_c)"},
+};
+
+/** What a table is, by its header; false with status. */
+static bool look(const char *path, clod_plan_is *is, clod_status *status)
+{
+    char *text;
+    size_t length;
+    if (!clod_input_read(path, SIZE_MAX, &text, &length, status)) {
+        return false;
+    }
+    static const clod_plan_is BY_STRESS[] = {
+        [CLOD_MEASURED_OF_NONE] = CLOD_PLAN_IS_NONE,
+        [CLOD_MEASURED_OF_SHEAR] = CLOD_PLAN_IS_SHEAR,
+        [CLOD_MEASURED_OF_WALL] = CLOD_PLAN_IS_WALL,
+        [CLOD_MEASURED_OF_SIGMA_1] = CLOD_PLAN_IS_FLOW,
+    };
+    *is = clod_measured_kind_of(text, length) == CLOD_MEASURED_DENSITY
+              ? CLOD_PLAN_IS_DENSITY
+              : BY_STRESS[clod_measured_stress_of(text, length)];
+    clod_memory_free(text);
+    return true;
+}
+
+/** The kind of table that a file is, among those of its test; NULL after a complaint. */
+static const clod_plan_table *find_table(maker *self, size_t test, clod_plan_is is)
+{
+    const clod_test_kind *kind = clod_test_kinds_of(self->plan->tests[test].middle);
+    char list[300] = "none; give number and value";
+    size_t used = 0;
+    for (size_t k = 0; k < CLOD_PLAN_TABLES && kind->tables[k] != NULL; k++) {
+        const clod_plan_table *table = kind->tables[k];
+        if (table->is == is) {
+            return table;
+        }
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "",
+                                 WORDS[table->is].what);
+    }
+    clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
+                    "has %s in its header%s%s, and of tables test %s takes %s",
+                    WORDS[is].columns, WORDS[is].what[0] != '\0' ? ", as " : "", WORDS[is].what,
+                    self->wish->test, list);
+    return NULL;
+}
+
+/** The number that the points of a table are targets of; NULL after a complaint. */
+static const clod_number *number_of(maker *self, size_t test, const clod_plan_table *table)
+{
+    const clod_plan_wish *wish = self->wish;
+    const char *const *numbers = table->numbers;
+    if (wish->value != NULL || (!table->one_stress && wish->normal_stress > 0.0)) {
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
+                        "has value%s beside it; the table has them all",
+                        table->one_stress ? "" : " or normal_stress");
+        return NULL;
+    }
+    if (wish->number == NULL || strcmp(wish->number, numbers[0]) == 0) {
+        return clod_number_find(&self->plan->tests[test], numbers[0]);
+    }
+    if (numbers[1] != NULL && strcmp(wish->number, numbers[1]) == 0) {
+        return clod_number_find(&self->plan->tests[test], numbers[1]);
+    }
+    clod_check_fail(self->loader, clod_plan_targets_at(self, "number"),
+                    "%s is none of %s; of such a table it is %s%s%s", wish->number,
+                    WORDS[table->is].what, numbers[0], numbers[1] != NULL ? " or " : "",
+                    numbers[1] != NULL ? numbers[1] : "");
+    return NULL;
+}
 
 void clod_plan_tables_make(clod_plan_maker *self, size_t test)
 {
-    const clod_plan_wish *wish = self->wish;
-    const clod_plan_table *table = table_of(self, test);
-    if (table == NULL) {
-        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
-                        "test %s is neither a shear test nor a wall friction test; give "
-                        "number and value",
-                        wish->test);
-        return;
-    }
-    if (wish->number != NULL || wish->value != NULL ||
-        (!table->one_stress && wish->normal_stress > 0.0)) {
-        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
-                        "has number%s beside it; the table has them all",
-                        table->one_stress ? " or value" : ", value or normal_stress");
-        return;
-    }
     clod_status status = {CLOD_OK, ""};
-    if (!table->make(self, test, clod_number_find(&self->plan->tests[test], table->number),
-                     &status)) {
+    clod_plan_is is;
+    if (!look(self->wish->locus, &is, &status)) {
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"), "%.800s",
+                        status.text);
+        return;
+    }
+    const clod_plan_table *table = find_table(self, test, is);
+    const clod_number *kind = table != NULL ? number_of(self, test, table) : NULL;
+    if (kind != NULL && !table->make(self, test, kind, &status)) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"), "%.800s",
                         status.text);
     }

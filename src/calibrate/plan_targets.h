@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file plan_targets.h
- * Targets in the making; for plan_targets.c and plan_tables.c alone.
+ * Targets in the making; for plan_targets.c, plan_samples.c, plan_tables.c, plan_curves.c alone.
  */
 
 #include "calibrate/number.h"
@@ -33,17 +33,28 @@ bool clod_plan_targets_check_stress(clod_plan_maker *self, size_t test, const cl
 void clod_plan_targets_add(clod_plan_maker *self, const clod_plan_target *made,
                            const char *number);
 
-/** A kind of measured table (plan_tables.c). */
+/** What a measured table is, by its header. */
+typedef enum clod_plan_is {
+    CLOD_PLAN_IS_NONE,
+    CLOD_PLAN_IS_SHEAR,
+    CLOD_PLAN_IS_WALL,
+    CLOD_PLAN_IS_DENSITY, ///< over sigma_1
+    CLOD_PLAN_IS_FLOW,    ///< over sigma_1, and no bulk densities
+} clod_plan_is;
+
+/** A kind of measured table (plan_tables.c, plan_curves.c). */
 typedef struct clod_plan_table {
-    const char *number;       ///< what each of its points is a target of
-    const char *error_column; ///< where it may tell the error of a point
-    bool one_stress;          ///< normal_stress beside it takes the points there
+    clod_plan_is is;
+    const char
+        *numbers[2]; ///< what its points are targets of, and what else the plan may ask for
+    bool one_stress; ///< normal_stress beside it takes the points there
     /** Targets of a file's points; false with status. */
     bool (*make)(clod_plan_maker *self, size_t test, const clod_number *kind,
                  clod_status *status);
 } clod_plan_table;
 
-extern const clod_plan_table CLOD_PLAN_TABLE_SHEAR, CLOD_PLAN_TABLE_WALL;
+extern const clod_plan_table CLOD_PLAN_TABLE_SHEAR, CLOD_PLAN_TABLE_WALL,
+    CLOD_PLAN_TABLE_DENSITY, CLOD_PLAN_TABLE_FLOW;
 
 /** Targets of the points of a measured table (plan_tables.c). */
 void clod_plan_tables_make(clod_plan_maker *self, size_t test);

@@ -66,7 +66,11 @@ static bool has_stress_wall(const clod_case *from, double stress)
         .numbers = CLOD_NUMBERS_SHEAR, .number_count = CLOD_NUMBERS_SHEAR_COUNT,               \
         .seeds = seeds_shear, .has_stress = has_stress_shear,                                  \
         .without_stress = "outside the shear_stresses", .read = clod_number_read_shear,        \
-        .table = &CLOD_PLAN_TABLE_SHEAR                                                        \
+        .tables = {                                                                            \
+            &CLOD_PLAN_TABLE_SHEAR,                                                            \
+            &CLOD_PLAN_TABLE_DENSITY,                                                          \
+            &CLOD_PLAN_TABLE_FLOW                                                              \
+        }                                                                                      \
     }
 
 static const clod_test_kind ROWS[CLOD_CASE_KINDS] = {
@@ -82,14 +86,15 @@ static const clod_test_kind ROWS[CLOD_CASE_KINDS] = {
                             .seeds = seeds_one,
                             .has_stress = has_stress_uniaxial,
                             .without_stress = "not among the consolidation_stresses",
-                            .read = clod_number_read_summary},
+                            .read = clod_number_read_summary,
+                            .tables = {&CLOD_PLAN_TABLE_DENSITY, &CLOD_PLAN_TABLE_FLOW}},
     [CLOD_CASE_WALL_FRICTION] = {.numbers = CLOD_NUMBERS_WALL,
                                  .number_count = CLOD_NUMBERS_WALL_COUNT,
                                  .seeds = seeds_wall,
                                  .has_stress = has_stress_wall,
                                  .without_stress = "not among the wall_stresses",
                                  .read = clod_number_read_summary,
-                                 .table = &CLOD_PLAN_TABLE_WALL},
+                                 .tables = {&CLOD_PLAN_TABLE_WALL}},
     [CLOD_CASE_CONTACT_BENCH] = {.seeds = seeds_one}, // no test: it has no grains
 };
 

@@ -6,6 +6,8 @@
 
 #include "calibrate/number.h"
 
+#define CLOD_PLAN_TABLES 3 ///< kinds of measured table that a test takes, at most
+
 struct clod_plan_table;
 
 typedef struct clod_test_kind {
@@ -24,7 +26,8 @@ typedef struct clod_test_kind {
     bool (*read)(const clod_plan *plan, size_t test, const char *folder, double *values,
                  clod_status *status);
 
-    const struct clod_plan_table *table; ///< of measured points; NULL: it takes none
+    /** Of measured points, ended by NULL where there are fewer. */
+    const struct clod_plan_table *tables[CLOD_PLAN_TABLES];
 } clod_test_kind;
 
 /** Row of a case; borrowed. Threads  pure.   Test  tests/calibrate/test_test_kinds.c */

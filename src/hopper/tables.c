@@ -310,19 +310,22 @@ static bool read_tests(const clod_hopper_case *of, clod_solid *solid, clod_table
     return good;
 }
 
-static bool read_strength(const clod_hopper_case *of, clod_solid *solid,
-                          clod_tables_notes *notes, clod_status *status)
+bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *status)
 {
-    const clod_hopper_strength *from = &of->strength;
-    if (from->file == NULL) {
-        return read_tests(of, solid, notes, status);
-    }
     void *rows;
     size_t count;
-    const bool good = read_file(from->file, &FLOW_KIND, &rows, &count, status) &&
+    const bool good = read_file(path, &FLOW_KIND, &rows, &count, status) &&
                       take_rows(rows, count, solid, status);
     clod_memory_free(rows);
     return good;
+}
+
+static bool read_strength(const clod_hopper_case *of, clod_solid *solid,
+                          clod_tables_notes *notes, clod_status *status)
+{
+    const char *file = of->strength.file;
+    return file != NULL ? clod_tables_read_flow(file, solid, status)
+                        : read_tests(of, solid, notes, status);
 }
 
 /** Read a property's file; the points are owned by the caller. */
@@ -355,7 +358,7 @@ static bool make_points(clod_curve *curve, size_t count, clod_status *status)
            clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
 }
 
-static bool read_rho(const char *path, clod_curve *curve, clod_status *status)
+bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *status)
 {
     char *text;
     size_t length, count;
@@ -422,7 +425,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     if (!read_strength(from, solid, notes, status) ||
         !read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
         !read_property(&from->phi_t, read_phi_t, &solid->phi_t, status) ||
-        !read_property(&from->rho, read_rho, &solid->rho, status) ||
+        !read_property(&from->rho, clod_tables_read_density, &solid->rho, status) ||
         !read_wall(&from->wall, &solid->wall, notes, status)) {
         return false;
     }

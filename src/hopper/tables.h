@@ -25,5 +25,17 @@ typedef struct clod_tables_notes {
 bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status);
 
+/**
+ * Read a flow function: sigma_1 and f_c (sigma_c), and what else its columns give.
+ *
+ * @param solid  [in, out] zeros before; owned points (clod_tables_fini) in the order of the table,
+ *               also after an error
+ * Errors, threads, test  as clod_tables_read.
+ */
+bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *status);
+
+/** The same of bulk densities: sigma_1 and rho_b; the curve's points are owned (clod_curve_fini). */
+bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *status);
+
 /** Free the points; a solid of zeros is fine. */
 void clod_tables_fini(clod_solid *solid);

@@ -183,6 +183,75 @@ sampling: {samples: 1000}
         told = self.calibrate(self.WALL, "--check", code=2).stderr
         self.assertIn("the case has seeds: 2; leave it out there, and give seeds here", told)
 
+    # ---- tables over sigma_1
+
+    CRUSH = """points: 5
+tests:
+  crush: {case: uniaxial.yaml}
+parameters:
+  mu: {key: contacts.default.friction, from: 0.2, to: 0.5}
+targets:
+  - {test: crush, locus: density.csv, error: 20 kg/m3}
+  - {test: crush, locus: strength.csv, normal_stress: 20 kPa, discrepancy: 0.5 kPa}
+sampling: {samples: 1000}
+"""
+    DENSITY = "sigma_1 [kPa],rho_b [kg/m3]\n10,1100\n20,1150\n"
+    STRENGTH = "sigma_1 [kPa],sigma_c [kPa],sigma_c_error [kPa]\n10,4,0.3\n20,6,0.5\n40,9,0.6\n"
+
+    def write_crush(self):
+        with open(clod.source("tests/cli/uniaxial.yaml")) as file:
+            text = file.read()
+        for old, new in (("diameter: 36 mm", "diameter: 24 mm"), ("height: 36 mm", "height: 24 mm"),
+                         ("grain_count: 250", "grain_count: 75"), ("speed: 80 mm/s", "speed: 150 mm/s")):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        self.write("uniaxial.yaml", text)
+        self.write("density.csv", self.DENSITY)
+        self.write("strength.csv", self.STRENGTH)
+
+    def test_tables_of_density_and_strength_are_targets_of_a_uniaxial_test(self):
+        """Numbers of the runs are those of their own tables, moved along the measured ones to their stresses."""
+        self.write_crush()
+        self.calibrate(self.CRUSH, "-o", "out")
+        names = ["crush: rho_b at 10 kPa", "crush: rho_b at 20 kPa", "crush: sigma_c at 20 kPa"]
+        found = self.found()["targets"]
+        self.assertEqual([one["name"] for one in found], names)
+        self.assertEqual([(one["measured"], one["error"]) for one in found], [(1100, 20), (1150, 20), (6, 0.5)])
+        rows = self.rows()
+        self.assertEqual(len(rows), 5)
+        for k, row in enumerate(rows):
+            with open(self.path(f"out/runs/p{k:03}-1-crush/flow_function.csv")) as file:
+                table = {float(one["consolidation_stress [Pa]"]): one for one in csv.DictReader(file)}
+            for stress, name, column, factor, slope in (
+                    (10e3, "rho_b at 10 kPa [kg/m3]", "rho_b [kg/m3]", 1.0, 50 / 10e3),
+                    (20e3, "rho_b at 20 kPa [kg/m3]", "rho_b [kg/m3]", 1.0, 50 / 10e3),
+                    (20e3, "sigma_c at 20 kPa [kPa]", "sigma_c [Pa]", 1e-3, None)):
+                own = float(table[stress]["sigma_1 [Pa]"])
+                if slope is None:  # the slope changes at 20 kPa
+                    slope = 2 / 10 if own < 20e3 else 3 / 20
+                moved = float(table[stress][column]) + slope * (stress - own)
+                self.assertLess(abs(float(row[f"crush: {name}"]) / (factor * moved) - 1.0), 1e-6)
+
+    def test_tables_that_do_not_fit_the_test_are_told_with_their_place(self):
+        self.write_crush()
+
+        def crush(old, new, word):
+            self.assertIn(old, self.CRUSH)
+            told = self.calibrate(self.CRUSH.replace(old, new), "--check", code=2).stderr
+            self.assertIn(word, told)
+
+        crush(", normal_stress: 20 kPa", "",
+              "plan.yaml:8:26: targets.1.locus: 40 kPa is not among the consolidation_stresses of test crush")
+        crush("normal_stress: 20 kPa", "normal_stress: 15 kPa",
+              "targets.1.normal_stress: 15 kPa: the table has no such sigma_1; it has 10, 20, 40 kPa")
+        crush(", error: 20 kg/m3", ", error: 20 kPa", "targets.0.error: 20 kPa")
+        crush("discrepancy: 0.5 kPa}", "discrepancy: 0.5 kPa}\n  - {test: crush, number: ffc, normal_stress: 20 kPa, "
+              "value: 5, error: 0.2}", "test crush: ffc 5 in targets.2 is not sigma_1/sigma_c = 20 kPa/6 kPa")
+        crush("density.csv, error: 20 kg/m3", "high.csv, error: 20 kg/m3", "high.csv: cannot be opened")
+        self.write("high.csv", self.DENSITY.replace("1150", "2500"))
+        crush("density.csv", "high.csv", "rho_b 2500 kg/m3 in targets.0 is above the density of its grains, 2481 kg/m3")
+        self.assertIn("in order", self.calibrate(self.CRUSH, "--check").stdout)
+
     def test_words_of_a_test_that_fails_end_with_one_stop(self):
         with open(CASE) as file:
             text = file.read()

@@ -3,73 +3,30 @@
  * Measured tables of a plan become targets: values, errors and normal stresses by hand.
  */
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "calibrate/plan.h"
-#include "output/temp_folder.h"
+#include "plan_lab.h"
 
 #define DEGREE 0.017453292519943295
-#define RING "cases/calibrate-kadh/ring.yaml"
 #define WALL "tests/cli/wall_friction.yaml"
 #define SHEAR_HEAD                                                                             \
     "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],tau_sh_error [kPa]\n"
 #define SEEDS_HEAD "seed," SHEAR_HEAD
 #define WALL_HEAD "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa],steady\n"
 
-static void write_file(void **state, const char *name, const char *text)
-{
-    char path[PATH_MAX];
-    FILE *out = fopen(temp_path(path, state, name), "w");
-    assert_non_null(out);
-    fputs(text, out);
-    assert_int_equal(fclose(out), 0);
-}
-
-/** Load a plan with one test and one target; the table is lab.csv. */
-static bool load(void **state, const char *from, const char *key, const char *target,
-                 clod_plan *plan, clod_status *status)
-{
-    char text[2048];
-    char path[PATH_MAX];
-    snprintf(text, sizeof text,
-             "points: 5\ntests: {lab: {case: %s/%s}}\n"
-             "parameters: {p: {key: %s, from: 0.1, to: 0.2}}\ntargets: [{test: lab, %s}]\n",
-             CLOD_SOURCE_DIR, from, key, target);
-    write_file(state, "plan.yaml", text);
-    return clod_plan_load(temp_path(path, state, "plan.yaml"), plan, status);
-}
-
-static void check_target(const clod_plan_target *target, const char *name, double stress,
-                         double value, double error)
-{
-    assert_string_equal(target->name, name);
-    assert_true(fabs(target->normal_stress / stress - 1.0) < 1e-12);
-    assert_true(fabs(target->value / value - 1.0) < 1e-9);
-    assert_true(fabs(target->error / error - 1.0) < 1e-9);
-}
-
 // Mean tau_p of the three specimens: 40 kPa. Prorated: tau_sh 40 kPa/tau_p.
 static void measured_yield_locus_becomes_targets(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
-    write_file(state, "lab.csv",
-               SHEAR_HEAD "54.8,38,12,20,0.5\n54.8,42,30,30,0.6\n54.8,40,40,35,0\n");
-    assert_true(load(state, RING, "contacts.default.rolling_friction",
-                     "locus: lab.csv, error: 0.7 kPa, discrepancy: 0.2 kPa, held_back: false",
-                     &plan, &status));
+    lab_write_file(state, "lab.csv",
+                   SHEAR_HEAD "54.8,38,12,20,0.5\n54.8,42,30,30,0.6\n54.8,40,40,35,0\n");
+    assert_true(
+        lab_load(state, RING, "contacts.default.rolling_friction",
+                 "locus: lab.csv, error: 0.7 kPa, discrepancy: 0.2 kPa, held_back: false",
+                 &plan, &status));
     assert_int_equal(plan.target_count, 3);
-    check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, 20e3 * 40.0 / 38.0, 0.5e3);
-    check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, 30e3 * 40.0 / 42.0, 0.6e3);
-    check_target(&plan.targets[2], "lab: tau at 40 kPa", 40e3, 35e3, 0.7e3); // of the plan
+    lab_check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, 20e3 * 40.0 / 38.0, 0.5e3);
+    lab_check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, 30e3 * 40.0 / 42.0, 0.6e3);
+    lab_check_target(&plan.targets[2], "lab: tau at 40 kPa", 40e3, 35e3, 0.7e3); // of the plan
     for (size_t t = 0; t < 3; t++) {
         assert_true(fabs(plan.targets[t].discrepancy - 0.2e3) < 1e-9);
     }
@@ -81,14 +38,14 @@ static void targets_of_one_number_have_names_of_their_own(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
-    write_file(state, "lab.csv", SHEAR_HEAD "54.8,40,12,20,0.5\n54.8,40,30,30,0.5\n");
-    write_file(state, "other.csv", SHEAR_HEAD "54.8,40,12,21,0.5\n54.8,40,40,36,0.5\n");
+    lab_write_file(state, "lab.csv", SHEAR_HEAD "54.8,40,12,20,0.5\n54.8,40,30,30,0.5\n");
+    lab_write_file(state, "other.csv", SHEAR_HEAD "54.8,40,12,21,0.5\n54.8,40,40,36,0.5\n");
     assert_true(
-        load(state, RING, "contacts.default.rolling_friction",
-             "number: phi_e, value: 40 deg, error: 1 deg}, {test: lab, locus: lab.csv}, "
-             "{test: lab, locus: other.csv}, "
-             "{test: lab, number: phi_e, value: 41 deg, error: 1 deg, held_back: true",
-             &plan, &status));
+        lab_load(state, RING, "contacts.default.rolling_friction",
+                 "number: phi_e, value: 40 deg, error: 1 deg}, {test: lab, locus: lab.csv}, "
+                 "{test: lab, locus: other.csv}, "
+                 "{test: lab, number: phi_e, value: 41 deg, error: 1 deg, held_back: true",
+                 &plan, &status));
     static const char *const NAMES[] = {
         "lab: phi_e (targets.0)", "lab: tau at 12 kPa (targets.1)",
         "lab: tau at 30 kPa",     "lab: tau at 12 kPa (targets.2)",
@@ -105,13 +62,13 @@ static void measured_wall_yield_locus_becomes_angles(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
-    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n");
-    assert_true(load(state, WALL, "contacts.ore-plate.friction",
-                     "locus: lab.csv, error: 0.5 deg", &plan, &status));
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n");
+    assert_true(lab_load(state, WALL, "contacts.ore-plate.friction",
+                         "locus: lab.csv, error: 0.5 deg", &plan, &status));
     assert_int_equal(plan.target_count, 2);
-    check_target(&plan.targets[0], "lab: phi_x at 20 kPa", 20e3, atan(0.2),
-                 0.1 / 20.0 / (1.0 + 0.2 * 0.2));
-    check_target(&plan.targets[1], "lab: phi_x at 10 kPa", 10e3, atan(0.25), 0.5 * DEGREE);
+    lab_check_target(&plan.targets[0], "lab: phi_x at 20 kPa", 20e3, atan(0.2),
+                     0.1 / 20.0 / (1.0 + 0.2 * 0.2));
+    lab_check_target(&plan.targets[1], "lab: phi_x at 10 kPa", 10e3, atan(0.25), 0.5 * DEGREE);
     clod_plan_fini(&plan);
 }
 
@@ -120,12 +77,14 @@ static void point_stands_at_the_stress_that_was_asked_for(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
-    write_file(state, "lab.csv",
-               "wall_stress [kPa],sigma_w [kPa],tau_w [kPa]\n20,19,4\n10,9,2.5\n5,4.5,1\n");
-    assert_true(load(state, WALL, "contacts.ore-plate.friction",
-                     "locus: lab.csv, error: 0.5 deg, normal_stress: 10 kPa", &plan, &status));
+    lab_write_file(state, "lab.csv",
+                   "wall_stress [kPa],sigma_w [kPa],tau_w [kPa]\n20,19,4\n10,9,2.5\n5,4.5,1\n");
+    assert_true(lab_load(state, WALL, "contacts.ore-plate.friction",
+                         "locus: lab.csv, error: 0.5 deg, normal_stress: 10 kPa", &plan,
+                         &status));
     assert_int_equal(plan.target_count, 1);
-    check_target(&plan.targets[0], "lab: phi_x at 10 kPa", 10e3, atan(2.5 / 9.0), 0.5 * DEGREE);
+    lab_check_target(&plan.targets[0], "lab: phi_x at 10 kPa", 10e3, atan(2.5 / 9.0),
+                     0.5 * DEGREE);
     clod_plan_fini(&plan);
 }
 
@@ -136,15 +95,15 @@ static void specimens_at_one_stress_are_one_target(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
-    write_file(state, "lab.csv",
-               SEEDS_HEAD "1,54.8,40,30,30,0.6\n1,54.8,40,12,19,0\n"
-                          "2,54.8,40,30,30.3,0.6\n2,54.8,40,12,20,0\n"
-                          "3,54.8,40,30,30.6,0\n3,54.8,40,12,24,0\n");
-    assert_true(load(state, RING, "contacts.default.rolling_friction",
-                     "locus: lab.csv, error: 0.7 kPa", &plan, &status));
+    lab_write_file(state, "lab.csv",
+                   SEEDS_HEAD "1,54.8,40,30,30,0.6\n1,54.8,40,12,19,0\n"
+                              "2,54.8,40,30,30.3,0.6\n2,54.8,40,12,20,0\n"
+                              "3,54.8,40,30,30.6,0\n3,54.8,40,12,24,0\n");
+    assert_true(lab_load(state, RING, "contacts.default.rolling_friction",
+                         "locus: lab.csv, error: 0.7 kPa", &plan, &status));
     assert_int_equal(plan.target_count, 2);
-    check_target(&plan.targets[0], "lab: tau at 30 kPa", 30e3, 30.3e3, 1.1e3 / 3.0);
-    check_target(&plan.targets[1], "lab: tau at 12 kPa", 12e3, 21e3, 1e3 * sqrt(7.0 / 3.0));
+    lab_check_target(&plan.targets[0], "lab: tau at 30 kPa", 30e3, 30.3e3, 1.1e3 / 3.0);
+    lab_check_target(&plan.targets[1], "lab: tau at 12 kPa", 12e3, 21e3, 1e3 * sqrt(7.0 / 3.0));
     clod_plan_fini(&plan);
 }
 
@@ -154,16 +113,16 @@ static void specimens_at_almost_one_stress_scatter_about_the_locus(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
-    write_file(state, "lab.csv",
-               SEEDS_HEAD
-               "1,54.8,40,12,16,0.02\n1,54.8,40,29.8,24.9,0.02\n1,54.8,40,20,20,0.02\n"
-               "2,54.8,40,12,16,0.02\n2,54.8,40,30.2,25.1,0.02\n2,54.8,40,20,20,0.02\n");
-    assert_true(load(state, RING, "contacts.default.rolling_friction", "locus: lab.csv", &plan,
-                     &status));
+    lab_write_file(state, "lab.csv",
+                   SEEDS_HEAD
+                   "1,54.8,40,12,16,0.02\n1,54.8,40,29.8,24.9,0.02\n1,54.8,40,20,20,0.02\n"
+                   "2,54.8,40,12,16,0.02\n2,54.8,40,30.2,25.1,0.02\n2,54.8,40,20,20,0.02\n");
+    assert_true(lab_load(state, RING, "contacts.default.rolling_friction", "locus: lab.csv",
+                         &plan, &status));
     assert_int_equal(plan.target_count, 3);
-    check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, 16e3, 20.0 / sqrt(2.0));
-    check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, 25e3, 20.0 / sqrt(2.0));
-    check_target(&plan.targets[2], "lab: tau at 20 kPa", 20e3, 20e3, 20.0 / sqrt(2.0));
+    lab_check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, 16e3, 20.0 / sqrt(2.0));
+    lab_check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, 25e3, 20.0 / sqrt(2.0));
+    lab_check_target(&plan.targets[2], "lab: tau at 20 kPa", 20e3, 20e3, 20.0 / sqrt(2.0));
     clod_plan_fini(&plan);
 }
 
@@ -172,61 +131,53 @@ static void repeats_at_one_wall_stress_are_one_target(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
-    write_file(state, "lab.csv", WALL_HEAD "20,4,0,1\n10,2.5,0,1\n20,4.4,0,1\n");
-    assert_true(load(state, WALL, "contacts.ore-plate.friction",
-                     "locus: lab.csv, error: 0.5 deg", &plan, &status));
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0,1\n10,2.5,0,1\n20,4.4,0,1\n");
+    assert_true(lab_load(state, WALL, "contacts.ore-plate.friction",
+                         "locus: lab.csv, error: 0.5 deg", &plan, &status));
     assert_int_equal(plan.target_count, 2);
-    check_target(&plan.targets[0], "lab: phi_x at 20 kPa", 20e3, 0.5 * (atan(0.2) + atan(0.22)),
-                 0.5 * (atan(0.22) - atan(0.2)));
-    check_target(&plan.targets[1], "lab: phi_x at 10 kPa", 10e3, atan(0.25), 0.5 * DEGREE);
-    clod_plan_fini(&plan);
-}
-
-static void refuse_of(void **state, const char *from, const char *key, const char *target,
-                      const char *words)
-{
-    clod_plan plan;
-    clod_status status = {CLOD_OK, ""};
-    assert_false(load(state, from, key, target, &plan, &status));
-    assert_int_equal(status.code, CLOD_USAGE);
-    if (strstr(status.text, words) == NULL) {
-        fail_msg("%s: not in: %s", words, status.text);
-    }
+    lab_check_target(&plan.targets[0], "lab: phi_x at 20 kPa", 20e3,
+                     0.5 * (atan(0.2) + atan(0.22)), 0.5 * (atan(0.22) - atan(0.2)));
+    lab_check_target(&plan.targets[1], "lab: phi_x at 10 kPa", 10e3, atan(0.25), 0.5 * DEGREE);
     clod_plan_fini(&plan);
 }
 
 static void refuse(void **state, const char *target, const char *words)
 {
-    refuse_of(state, WALL, "contacts.ore-plate.friction", target, words);
+    lab_refuse_of(state, WALL, "contacts.ore-plate.friction", target, words);
 }
 
-static void table_of_a_test_without_a_locus_is_refused(void **state)
+static void table_of_another_test_is_refused(void **state)
 {
-    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0.1,1\n");
-    refuse_of(state, "cases/copper-ore-uniaxial/case.yaml", "contacts.default.rolling_friction",
-              "locus: lab.csv",
-              "targets.0.locus: test lab is neither a shear test nor a wall friction test");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0.1,1\n");
+    lab_refuse_of(
+        state, "cases/copper-ore-uniaxial/case.yaml", "contacts.default.rolling_friction",
+        "locus: lab.csv",
+        "targets.0.locus: has sigma_w or tau_w in its header, as a wall yield locus (sigma_w, tau_w), and of "
+        "tables test lab takes bulk densities (sigma_1, rho_b), a flow function (sigma_1, sigma_c)");
 }
 
 static void wall_table_that_is_no_target_is_refused(void **state)
 {
-    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,0\n");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,0\n");
     refuse(state, "locus: lab.csv, error: 0.5 deg",
            "targets.0.locus: was not steady at 10 kPa");
-    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n7,1,0,1\n");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n7,1,0,1\n");
     refuse(state, "locus: lab.csv",
            "needs the key error: the table has no tau_w_error at 10 kPa");
-    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n20,4.4,0,1\n10,2.5,0.1,1\n");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n20,4.4,0,1\n10,2.5,0.1,1\n");
     refuse(state, "locus: lab.csv",
            "needs the key error: the table has no tau_w_error at 20 kPa");
-    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n7,1,0,1\n");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n7,1,0,1\n");
     refuse(state, "locus: lab.csv, error: 0.5 deg",
            "targets.0.locus: 7 kPa is not among the wall_stresses of test lab");
     refuse(state, "locus: lab.csv, error: 0.5 deg, normal_stress: 5 kPa",
            "targets.0.normal_stress: 5 kPa: the table has no point there");
-    refuse(state, "locus: lab.csv, number: phi_x, error: 0.5 deg",
-           "targets.0.locus: has number or value beside it");
-    write_file(state, "lab.csv", WALL_HEAD "20,0,0.1,1\n10,2.5,0.1,1\n");
+    refuse(state, "locus: lab.csv, value: 12 deg, error: 0.5 deg",
+           "targets.0.locus: has value beside it");
+    refuse(
+        state, "locus: lab.csv, number: phi_w, error: 0.5 deg",
+        "targets.0.number: phi_w is none of a wall yield locus (sigma_w, tau_w); of such a table it is phi_x");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,0,0.1,1\n10,2.5,0.1,1\n");
     refuse(state, "locus: lab.csv", "has a phi_x of 0 deg at 20 kPa; allowed is 0.1 to 85 deg");
 }
 
@@ -249,8 +200,8 @@ int main(void)
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(wall_table_that_is_no_target_is_refused,
                                         temp_folder_make, temp_folder_remove),
-        cmocka_unit_test_setup_teardown(table_of_a_test_without_a_locus_is_refused,
-                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(table_of_another_test_is_refused, temp_folder_make,
+                                        temp_folder_remove),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

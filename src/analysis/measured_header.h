@@ -1,0 +1,18 @@
+#pragma once
+/**
+ * @file measured_header.h
+ * What the header of a measured table says beyond the kinds that `clod locus` evaluates.
+ */
+
+#include <stddef.h>
+
+/** Which stresses a table has. */
+typedef enum clod_measured_stress {
+    CLOD_MEASURED_OF_NONE,    ///< no column of a stress that is known
+    CLOD_MEASURED_OF_SHEAR,   ///< normal and shear stress of shear points
+    CLOD_MEASURED_OF_WALL,    ///< those at a wall
+    CLOD_MEASURED_OF_SIGMA_1, ///< the major principal one, as a flow function and bulk densities
+} clod_measured_stress;
+
+/** Of the first line that is no comment. Threads  pure.   Test  tests/calibrate/test_plan_curves.c */
+clod_measured_stress clod_measured_stress_of(const char *text, size_t length);

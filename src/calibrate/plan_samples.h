@@ -1,0 +1,51 @@
+#pragma once
+/**
+ * @file plan_samples.h
+ * Measured points of a table on their way to targets: repeats become one. For plan_tables.c and
+ * plan_curves.c alone.
+ */
+
+#include "calibrate/plan_targets.h"
+
+/** A measured point. */
+typedef struct clod_plan_sample {
+    double stress, value, error; ///< SI; error 0: the table has none; stress 0: there is none
+} clod_plan_sample;
+
+/** Those of a table. */
+typedef struct clod_plan_samples {
+    clod_plan_sample *items; ///< [count] owned
+    size_t count;
+    double slope;             ///< of value over stress, 0: hardly any
+    double *scratch;          ///< [count] owned
+    const char *error_column; ///< where the table may tell the error of a point
+    const clod_curve *curve;  ///< of the targets; NULL: none
+} clod_plan_samples;
+
+/** Room for so many; false when there is none, which the report notes. */
+bool clod_plan_samples_init(clod_plan_samples *self, clod_plan_maker *make, size_t room);
+
+/** Free the content; an empty one is fine. */
+void clod_plan_samples_fini(clod_plan_samples *self);
+
+/** What all points of a table have in common; false after a complaint. */
+bool clod_plan_samples_common(clod_plan_maker *self, size_t test, const clod_number *kind,
+                              clod_plan_target *to);
+
+/**
+ * Repeats at one stress are one measurement of the material: the mean of the values, moved along the
+ * slope to the mean of the stresses, with the larger of the stated error of that mean,
+ * sqrt(sum e_i^2)/n, and the standard error from their scatter, s/sqrt(n) (clod_mean_of has the
+ * source). In the order in which each stress first appears.
+ *
+ * @param error  of a point whose table has none; 0: none, and then that of the mean is 0
+ */
+void clod_plan_samples_merge(clod_plan_samples *self, double error);
+
+/** A target of each point, or of those at a stress where one is given. */
+void clod_plan_samples_make(clod_plan_maker *self, const clod_number *kind,
+                            const clod_plan_target *common, const clod_plan_samples *from,
+                            double stress);
+
+/** Whether two stresses are one. */
+bool clod_plan_samples_same(double stress, double other);
