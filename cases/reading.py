@@ -53,15 +53,15 @@ def series(folder):
         raise Unfit(f"its series.csv cannot be read: {error}") from error
 
 
-def times(folder):
-    """Pairs (time [s], path) of all snapshots."""
+def times(folder, name="run.hdf.series"):
+    """Pairs (time [s], path) of all snapshots, or of those of the walls (run_walls.hdf.series)."""
     try:
-        with open(os.path.join(folder, "run.hdf.series")) as file:
+        with open(os.path.join(folder, name)) as file:
             return [(one["time"], os.path.join(folder, one["name"])) for one in json.load(file)["files"]]
     except FileNotFoundError as error:
-        raise Unfit("it has no snapshots (run.hdf.series)") from error
+        raise Unfit(f"it has no snapshots ({name})") from error
     except (OSError, ValueError, KeyError, TypeError) as error:
-        raise Unfit(f"its run.hdf.series is damaged: {error}") from error
+        raise Unfit(f"its {name} is damaged: {error}") from error
 
 
 def rows_after(folder, time, least=5):
@@ -82,8 +82,8 @@ def beds_after(folder, time, least=1):
     return [grains(path) for path in paths]
 
 
-def grains(path):
-    """Grains of a snapshot, one at least: tuples (x, y, z, radius, mass) in SI units."""
+def columns(path, *names):
+    """Columns of a snapshot, as lists."""
     try:
         import h5py
     except ImportError:
@@ -91,11 +91,22 @@ def grains(path):
                  f"(/usr/bin/python3 {sys.argv[0]} ...)")
     try:
         with h5py.File(path) as file:
-            places = file["VTKHDF/Points"][:].tolist()
-            radii = file["VTKHDF/PointData/radius"][:].ravel().tolist()
-            masses = file["VTKHDF/PointData/mass"][:].ravel().tolist()
+            return [file[f"VTKHDF/{name}"][:].tolist() for name in names]
     except (OSError, KeyError) as error:
         raise Unfit(f"its snapshot {os.path.basename(path)} cannot be read: {error}") from error
+
+
+def corners(folder):
+    """Corners (x, y, z) [m] of the facets of all walls, in the first snapshot."""
+    snapshots = times(folder, "run_walls.hdf.series")
+    if not snapshots:
+        raise Unfit("it has no snapshots of its walls")
+    return columns(snapshots[0][1], "Points")[0]
+
+
+def grains(path):
+    """Grains of a snapshot, one at least: tuples (x, y, z, radius, mass) in SI units."""
+    places, radii, masses = columns(path, "Points", "PointData/radius", "PointData/mass")
     if not places:
         raise Unfit(f"its snapshot {os.path.basename(path)} has no grains")
     return [(*place, radius, mass) for place, radius, mass in zip(places, radii, masses)]

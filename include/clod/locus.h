@@ -32,6 +32,7 @@ typedef struct clod_locus_point {
     double tau_p_error; ///< standard error of tau_p; once for the points of one preshear
     double tau_s_error; ///< standard error of tau_s
     double rho_b_error; ///< standard error of rho_b
+    size_t row;         ///< line of the file that it was read from; 0 = none
 } clod_locus_point;
 
 /** A result: NAN where it is not defined or not known. */
@@ -48,6 +49,7 @@ typedef struct clod_locus_mark {
     double measured; ///< tau_s as it came
     double prorated; ///< tau_s mean(tau_p) / tau_p
     double line;     ///< the fitted line at sigma
+    size_t index;    ///< of its point, among those that were given
 } clod_locus_mark;
 
 /** A Mohr circle [Pa]; NAN where it does not exist. */

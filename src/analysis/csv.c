@@ -298,6 +298,9 @@ static bool read_row(clod_csv *self, char *line)
     if (row == NULL) {
         return false;
     }
+    if (self->kind->line != NULL) {
+        memcpy(row + *self->kind->line, &self->line, sizeof self->line);
+    }
     for (size_t c = 0; c < width; c++) {
         if (!read_cell(self, c, cells[c], row)) {
             return false;

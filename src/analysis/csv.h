@@ -33,7 +33,8 @@ typedef struct clod_csv_kind {
     const char *known;              ///< names of the columns, for messages
     const char *example;            ///< a header
     const char *item;               ///< what a row is: "shear point"
-    const char *const *skipped;     ///< columns that are not read, ended by NULL; NULL: none
+    const size_t *line; ///< where in a row the number of its line goes, a size_t; NULL: nowhere
+    const char *const *skipped; ///< columns that are not read, ended by NULL; NULL: none
     bool (*check_header)(const clod_csv *self); ///< NULL: nothing more to check
     bool (*check_row)(const clod_csv *self, const void *row);
 } clod_csv_kind;

@@ -177,8 +177,12 @@ static void fill_marks(clod_locus *self, const clod_locus_point *points, const c
 {
     for (size_t i = 0; i < self->point_count; i++) {
         const double sigma = points[i].sigma_s;
-        self->marks[i] = (clod_locus_mark){points[i].seed, sigma, points[i].tau_s, prorated[i],
-                                           fit->intercept + fit->slope * sigma};
+        self->marks[i] = (clod_locus_mark){.seed = points[i].seed,
+                                           .sigma = sigma,
+                                           .measured = points[i].tau_s,
+                                           .prorated = prorated[i],
+                                           .line = fit->intercept + fit->slope * sigma,
+                                           .index = i};
     }
 }
 

@@ -77,14 +77,18 @@ static bool check_row(const clod_csv *self, const void *row)
     return true;
 }
 
+static const size_t LINE = offsetof(clod_locus_point, row);
+
 static const clod_csv_kind POINTS = {
     .columns = COLUMNS,
     .count = COLUMN_COUNT,
     .row = sizeof(clod_locus_point),
-    .known = "sigma_sh, tau_sh, sigma_pre, tau_pre, seed, rho_b, tau_pre_error, tau_sh_error, "
-             "rho_b_error",
+    .known =
+        "sigma_sh (or sigma_s, sigma), tau_sh (or tau_s, tau), sigma_pre (or sigma_p), "
+        "tau_pre (or tau_p), seed, rho_b (or rho), tau_pre_error, tau_sh_error, rho_b_error",
     .example = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]",
     .item = "shear point",
+    .line = &LINE,
     .check_header = check_header,
     .check_row = check_row,
 };

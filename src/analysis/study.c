@@ -77,6 +77,9 @@ static bool evaluate_seed(const sorted *items, size_t count, clod_locus_point *p
         points[i] = items[i].point;
     }
     if (clod_locus_evaluate(points, count, locus, status)) {
+        for (size_t i = 0; i < count; i++) {
+            locus->marks[i].index = items[i].index;
+        }
         return true;
     }
     char text[512], seed[32] = "";

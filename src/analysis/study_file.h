@@ -9,9 +9,13 @@
 
 #include "clod/locus.h"
 
-/** Of points that come from a file of this name; NULL with status. */
+/** Of measured points that come from a file of this name, angles checked (angles.h); NULL with
+ *  status. */
 clod_locus_study *clod_study_of_points(const char *path, const clod_locus_point *points,
                                        size_t count, clod_status *status);
 
-/** Of a file; NULL with status. */
+/** Of a file of measured points, angles checked; NULL with status. */
 clod_locus_study *clod_study_of_file(const char *path, clod_status *status);
+
+/** Of the file of points that a run wrote, whatever its angles are; NULL with status. */
+clod_locus_study *clod_study_of_run(const char *path, clod_status *status);

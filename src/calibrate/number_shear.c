@@ -46,7 +46,7 @@ bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *fold
 {
     char path[PATH_MAX];
     snprintf(path, sizeof path, "%s/points.csv", folder);
-    clod_locus_study *study = clod_study_of_file(path, status);
+    clod_locus_study *study = clod_study_of_run(path, status);
     if (study == NULL) {
         return false;
     }

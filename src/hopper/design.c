@@ -142,6 +142,8 @@ static clod_hopper_margin margin_from(const clod_solid *solid, const clod_hopper
     for (int round = 0; round < ROUNDS; round++) {
         clod_hopper_design at;
         if (!shape_at(solid, wish, sigma_1, &at)) {
+            self.state = at.state;
+            self.sticks = true;
             return self;
         }
         const double before = sigma_1;

@@ -66,9 +66,11 @@ clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,
 
 /** An outlet that is given. */
 typedef struct clod_hopper_margin {
-    clod_solid_state state; ///< in flow at the outlet
-    double stress;          ///< Pa in an arch over the outlet
-    double ratio;           ///< stress over strength: above 1 an arch breaks; NAN: funnel flow
+    clod_solid_state
+        state;     ///< in flow at the outlet; where it sticks, the one that does not slide
+    double stress; ///< Pa in an arch over the outlet
+    double ratio; ///< stress over strength: above 1 an arch breaks; NAN: it sticks, or no state
+    bool sticks;  ///< at the stresses of this outlet the solid does not slide along the wall
 } clod_hopper_margin;
 
 /**

@@ -154,6 +154,103 @@ static void warn_angle(clod_hopper *self, const char *name, const clod_hopper_fo
     }
 }
 
+/** "208.2 mm (161.8 to 246.2)"; an end may be infinite. */
+static void put_critical(char text[96], const clod_hopper_value *outlet)
+{
+    char high[32] = "infinite";
+    if (isfinite(outlet->high)) {
+        snprintf(high, sizeof high, "%.1f", 1e3 * outlet->high);
+    }
+    snprintf(text, 96, "%.1f mm (%.1f to %s)", 1e3 * outlet->value, 1e3 * outlet->low, high);
+}
+
+/** An outlet that is given beside the critical one and its interval. */
+static void warn_planned(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const clod_hopper_value *critical = &found->number[CLOD_HOPPER_OUTLET];
+    const double tail = 0.5 * (1.0 - self->from.interval.level);
+    const double planned = found->planned;
+    const double share = 100.0 * found->arching;
+    char outlet[96];
+    put_critical(outlet, critical);
+    if (isinf(critical->value)) {
+        clod_warning_list_add(&self->warnings,
+                              "%s: the outlet of %.6g mm arches, as every outlet does. %.1f %% "
+                              "of the samples do not flow.",
+                              name, 1e3 * planned, share);
+    } else if (planned < critical->value) {
+        clod_warning_list_add(&self->warnings,
+                              "%s: the outlet of %.6g mm is below the critical one, %s: %sit "
+                              "arches. %.1f %% of the samples do not flow.",
+                              name, 1e3 * planned, outlet,
+                              planned < critical->low ? "" : "as measured ", share);
+    } else if (planned < critical->high) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: the outlet of %.6g mm is inside the interval of the critical "
+            "one, %s: it may arch. %.1f %% of the samples do not flow.",
+            name, 1e3 * planned, outlet, share);
+    } else if (found->arching > tail) {
+        clod_warning_list_add(&self->warnings,
+                              "%s: %.1f %% of the samples do not flow through the outlet of "
+                              "%.6g mm with the half angle of %.1f deg.",
+                              name, share, 1e3 * planned, found->design.half_angle / DEGREE);
+    }
+}
+
+/** An outlet that is given beside the particles. */
+static void warn_particles(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    if (found->planned < found->mechanical) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: the outlet of %.6g mm is below %d times the largest particle, "
+            "%.1f mm: particles may lock over it, whatever the strength is.",
+            name, 1e3 * found->planned, found->wish.shape == CLOD_RADIAL_CONE ? 8 : 4,
+            1e3 * found->mechanical);
+    }
+}
+
+/** Why an outlet that is given has no stress over strength. */
+static void warn_no_margin(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    clod_hopper_wish built = found->wish;
+    built.half_angle = found->design.half_angle;
+    const clod_hopper_margin at = clod_hopper_margin_of(&self->solid, &built, found->planned);
+    char why[256];
+    if (found->design.outcome == CLOD_HOPPER_FUNNEL) {
+        snprintf(why, sizeof why,
+                 "it is funnel flow, where a rathole decides in place of an arch");
+    } else if (at.sticks) {
+        snprintf(
+            why, sizeof why,
+            "at the low stresses of so small an outlet, sigma_1 of %.3f kPa, the solid does "
+            "not slide along a wall of %.1f deg, and so does not flow",
+            1e-3 * at.state.sigma_1, built.half_angle / DEGREE);
+    } else {
+        snprintf(
+            why, sizeof why,
+            "no state of flow was found: the measured properties change too much with stress");
+    }
+    clod_warning_list_add(&self->warnings,
+                          "%s: the outlet of %.6g mm has no stress over strength: %s.", name,
+                          1e3 * found->planned, why);
+}
+
+static void warn_outlet(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    if (found->planned <= 0.0) {
+        return;
+    }
+    if (found->design.outcome != CLOD_HOPPER_FUNNEL) {
+        warn_planned(self, name, found);
+    }
+    warn_particles(self, name, found);
+    if (isnan(found->number[CLOD_HOPPER_MARGIN].value)) {
+        warn_no_margin(self, name, found);
+    }
+}
+
 static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
     const clod_hopper_design *at = &found->design;
@@ -170,6 +267,7 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
                     at->state.sigma_w);
     }
     warn_angle(self, name, found);
+    warn_outlet(self, name, found);
 }
 
 static bool has_errors(const clod_curve *curve)

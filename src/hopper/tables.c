@@ -3,8 +3,6 @@
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <sys/stat.h>
 
 #include "analysis/bulk_density.h"
 #include "analysis/csv.h"
@@ -12,14 +10,10 @@
 #include "base/memory.h"
 #include "clod/bulk_density.h"
 #include "clod/locus.h"
+#include "hopper/loci.h"
 #include "hopper/wall.h"
 
-#define DEGREE (M_PI / 180.0)
-
-/** A row of the flow function; 0: not there. */
-typedef struct row {
-    clod_curve_point strength, phi_e, phi_t, rho; ///< x: sigma_1, in strength alone
-} row;
+typedef clod_loci_row row;
 
 #define ROW(field) .offset = offsetof(row, field)
 
@@ -165,151 +159,6 @@ static bool take_rows(const row *rows, size_t count, clod_solid *solid, clod_sta
            take(rows, count, offsetof(row, rho), &solid->rho, status);
 }
 
-/** A value with its standard error; what is not known is 0. */
-static void put(clod_curve_point *point, clod_locus_value value)
-{
-    point->y = isfinite(value.value) ? value.value : 0.0;
-    point->y_error = isfinite(value.error) ? value.error : 0.0;
-}
-
-/** What clod locus says about a yield locus. */
-static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
-{
-    notes->one_specimen = notes->one_specimen || clod_locus_one_specimen(locus);
-    for (size_t k = 0; k < locus->warning_count; k++) {
-        clod_warning_list_add(notes->warnings,
-                              "Yield locus at a preshear stress of %.3f kPa: %s",
-                              1e-3 * locus->sigma_p.value, locus->warnings[k]);
-    }
-}
-
-/** Refuse a yield locus without a strength, and say why it has none. */
-static bool has_strength(const clod_locus *locus, clod_status *status)
-{
-    if (locus->phi_lin.value < 0.0) {
-        return clod_status_fail(
-            status, CLOD_USAGE,
-            "The yield locus at a preshear stress of %.3f kPa falls (phi_lin "
-            "= %.1f deg): peak shear stress must rise with normal stress. "
-            "Check the columns and units of its points.",
-            1e-3 * locus->sigma_p.value, locus->phi_lin.value / DEGREE);
-    }
-    return !isnan(locus->sigma_c.value) ||
-           clod_status_fail(status, CLOD_USAGE,
-                            "The yield locus at a preshear stress of %.3f kPa has no "
-                            "unconfined yield strength (its cohesion is below 0); "
-                            "clod locus says more about its points.",
-                            1e-3 * locus->sigma_p.value);
-}
-
-/** Refuse loci of which none has phi_e, where nothing else gives it. */
-static bool has_phi_e(const clod_locus_study *study, clod_status *status)
-{
-    const clod_locus *first = &study->groups[0].locus;
-    for (size_t g = 0; g < study->count; g++) {
-        if (isfinite(study->groups[g].locus.phi_e.value)) {
-            return true;
-        }
-    }
-    return clod_status_fail(status, CLOD_USAGE,
-                            "phi_e is undefined in every yield locus, since sigma_2 is tension "
-                            "(%.3f kPa at a preshear stress of %.3f kPa): their shear stresses "
-                            "are too large for their normal stresses. Check the columns and "
-                            "units of the points, or give the key effective_friction.",
-                            1e-3 * first->sigma_2.value, 1e-3 * first->sigma_p.value);
-}
-
-/** Rows of the loci of a study. */
-static bool take_study(const clod_locus_study *study, bool brings_phi_e, clod_solid *solid,
-                       clod_tables_notes *notes, clod_status *status)
-{
-    row *rows = clod_memory_alloc(study->count, sizeof *rows);
-    if (rows == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory for the loci.");
-    }
-    bool good = true;
-    for (size_t g = 0; g < study->count && good; g++) {
-        const clod_locus *locus = &study->groups[g].locus;
-        good = has_strength(locus, status);
-        put(&rows[g].strength, locus->sigma_c);
-        put(&rows[g].phi_e, locus->phi_e);
-        put(&rows[g].phi_t, locus->phi_lin);
-        put(&rows[g].rho, locus->rho_b);
-        rows[g].strength.x = locus->sigma_1.value;
-        rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
-        take_notes(locus, notes);
-    }
-    if (study->warning[0] != '\0') {
-        clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);
-    }
-    good = good && (!brings_phi_e || has_phi_e(study, status)) &&
-           take_rows(rows, study->count, solid, status);
-    clod_memory_free(rows);
-    return good;
-}
-
-/** The file itself, or the table of this name in a results folder, which must have it. */
-static bool find_table(const char *path, const char *table, char inside[PATH_MAX],
-                       clod_status *status)
-{
-    struct stat kind;
-    const bool folder = stat(path, &kind) == 0 && S_ISDIR(kind.st_mode);
-    snprintf(inside, PATH_MAX, "%s%s%s", path, folder ? "/" : "", folder ? table : "");
-    return !folder || stat(inside, &kind) == 0 ||
-           clod_status_fail(
-               status, CLOD_USAGE,
-               "%s: the folder has no %s: its run is not finished, or is no test "
-               "that writes one. clod run goes on with a run that is not finished.",
-               path, table);
-}
-
-/** Append the points of a test: of the file, or of points.csv in a results folder. */
-static bool add_points(const char *path, clod_locus_point **all, size_t *count,
-                       clod_status *status)
-{
-    char inside[PATH_MAX];
-    clod_locus_point *points;
-    size_t more;
-    if (!find_table(path, "points.csv", inside, status) ||
-        !clod_locus_read(inside, NULL, &points, &more, status)) {
-        return false;
-    }
-    clod_locus_point *grown = clod_memory_grow(*all, *count, *count + more, sizeof **all);
-    if (grown == NULL) {
-        clod_locus_free(points);
-        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", more);
-    }
-    for (size_t i = 0; i < more; i++) {
-        grown[*count + i] = points[i];
-    }
-    *all = grown;
-    *count += more;
-    clod_locus_free(points);
-    return true;
-}
-
-static bool read_tests(const clod_hopper_case *of, clod_solid *solid, clod_tables_notes *notes,
-                       clod_status *status)
-{
-    const clod_hopper_strength *from = &of->strength;
-    clod_locus_point *points = NULL;
-    size_t count = 0;
-    bool good = true;
-    for (size_t t = 0; t < from->test_count && good; t++) {
-        good = add_points(from->tests[t].points, &points, &count, status);
-    }
-    clod_status why = {0};
-    clod_locus_study *study = good ? clod_locus_study_create(points, count, &why) : NULL;
-    if (good && !(study != NULL && take_study(study, !of->phi_e.present, solid, notes, &why))) {
-        // of several files: the preshear stress says which
-        good = clod_status_fail(status, why.code, "%s%s: %s", from->tests[0].points,
-                                from->test_count > 1 ? " and those after it" : "", why.text);
-    }
-    clod_locus_study_destroy(&study);
-    clod_memory_free(points);
-    return good;
-}
-
 bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *status)
 {
     void *rows;
@@ -323,9 +172,15 @@ bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *sta
 static bool read_strength(const clod_hopper_case *of, clod_solid *solid,
                           clod_tables_notes *notes, clod_status *status)
 {
-    const char *file = of->strength.file;
-    return file != NULL ? clod_tables_read_flow(file, solid, status)
-                        : read_tests(of, solid, notes, status);
+    if (of->strength.file != NULL) {
+        return clod_tables_read_flow(of->strength.file, solid, status);
+    }
+    void *rows = NULL;
+    size_t count = 0;
+    const bool good = clod_loci_read(of, &rows, &count, notes, status) &&
+                      take_rows(rows, count, solid, status);
+    clod_memory_free(rows);
+    return good;
 }
 
 /** Read a property's file; the points are owned by the caller. */
@@ -403,7 +258,7 @@ static bool read_wall(const clod_hopper_property *from, clod_curve *wall,
 {
     if (from->file != NULL) {
         char inside[PATH_MAX];
-        return find_table(from->file, "wall_friction.csv", inside, status) &&
+        return clod_loci_find(from->file, "wall_friction.csv", inside, status) &&
                clod_wall_read(inside, wall, notes->warnings, status);
     }
     if (!from->present) {

@@ -140,8 +140,8 @@ static void wrong_headers(void **state)
     expect_error(
         "sigma_sh [kPa],tau_sh [kPa],sigma_prae [kPa]\n", &NONE,
         "p.csv:1: there is no column \"sigma_prae\"; did you mean sigma_pre? Known are "
-        "sigma_sh, tau_sh, sigma_pre, tau_pre, seed, rho_b, tau_pre_error, "
-        "tau_sh_error, rho_b_error.");
+        "sigma_sh (or sigma_s, sigma), tau_sh (or tau_s, tau), sigma_pre (or sigma_p), "
+        "tau_pre (or tau_p), seed, rho_b (or rho), tau_pre_error, tau_sh_error, rho_b_error.");
     expect_error("sigma_sh [kPa],tau_sh [kPa]\n2,3\n", &NONE,
                  "p.csv:1: the header has no column sigma_pre and no value for all rows was "
                  "given; add the column, or give --sigma-pre.");

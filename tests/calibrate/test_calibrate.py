@@ -258,8 +258,15 @@ class Calibrate(bounce.Bounce):
         plan = PLAN.replace("bounce.yaml", clod.source("cases/calibrate-kadh/ring.yaml"))
         plan = plan.replace("contacts.default.restitution", "contacts.default.rolling_friction")
         target = f"number: kinetic_energy_J, value: {BEFORE * TRUTH**2:.6g}, error: 4e-6"
-        done = self.calibrate(plan.replace(target, "locus: lab.csv, error: 1 kPa"), "--check")
-        self.assertRegex(done.stderr, r"WARNING: .*lab\.csv: phi_lin = 0\.3\d* deg is outside 5 to 65 deg; "
+        plan = plan.replace(target, "locus: lab.csv, error: 1 kPa")
+        said = self.calibrate(plan, "--check", code=2).stderr  # preshear: atan(0.4/54.8)
+        self.assertRegex(said, r"lab\.csv:2, 3, 4: the yield locus at .* has phi_sf = 0\.42 deg; it must be 1 to 80 deg")
+        # ten times too small: unusual, and no more than warned of. atan(1.5/28), as the points rise
+        with open(self.path("lab.csv"), "w") as file:
+            file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
+                       "54.8,4,12,2\n54.8,4,30,3\n54.8,4,40,3.5\n")
+        done = self.calibrate(plan, "--check")
+        self.assertRegex(done.stderr, r"WARNING: .*lab\.csv: phi_lin = 3\.\d* deg is outside 5 to 65 deg; "
                                       "check the columns and units")
         self.assertIn("in order", done.stdout)
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -61,6 +62,31 @@ class Locus(clod.Case):
         twice = GOOD + "20,15.2,6,4.9,1650\n20,15.2,10,7.7,1650\n20,15.2,15,11.2,1650\n"
         said = self.locus("-", "--csv", input=twice).stderr
         self.assertRegex(said, r"clod locus: sigma_c falls from \S+ to \S+ kPa while")
+
+    def test_angles_that_no_solid_has(self):
+        """tau_sh in Pa with kPa above it, a falling line, a steep one; and preshear in Pa. Angles by hand."""
+        rows = ((3, 3.1), (5, 4.5), (7.5, 6.25))
+        for table, columns, angle in (
+                ([(10, 7.6, s, 1e-3 * t) for s, t in rows], "sigma_sh and tau_sh", "phi_lin = 0.04"),  # atan(0.7e-3)
+                ([(10, 7.6, s, 8 - 0.5 * s) for s, _ in rows], "sigma_sh and tau_sh", "phi_lin = -26.57"),
+                ([(10, 7.6, s, 19 * s - 57) for s, _ in rows], "sigma_sh and tau_sh", "phi_lin = 86.99"),  # atan(19)
+                ([(10, 7600, s, t) for s, t in rows], "sigma_pre and tau_pre", "phi_sf = 89.92")):  # atan(760)
+            points = HEAD + "".join(",".join(map(str, row)) + ",1650\n" for row in table)
+            for form in ([], ["--json"], ["--csv"]):
+                done = self.locus("-", *form, input=points, code=2)
+                self.assertEqual(done.stdout, "")
+                self.assertEqual(done.stderr, "clod locus: standard input:2, 3, 4: the yield locus at a preshear stress of "
+                                 f"10.000 kPa has {angle} deg; it must be 1 to 80 deg. Spheres without friction have 6 deg, "
+                                 f"and no solid is beyond 80 deg. Have {columns} been exchanged, or has one another unit?\n")
+
+    def test_names_of_columns(self):
+        """Every name that the error tells is taken."""
+        said = self.locus("-", input=HEAD.replace("tau_sh", "tua"), code=2).stderr
+        self.assertIn("sigma_sh (or sigma_s, sigma), tau_sh (or tau_s, tau)", said)
+        told = self.locus("-", input=GOOD).stdout
+        for name, others in re.findall(r"(\w+) \(or ([^)]*)\)", said):
+            for other in others.split(", "):
+                self.assertEqual(self.locus("-", input=GOOD.replace(name + " ", other + " ")).stdout, told)
 
     def test_two_forms_are_refused(self):
         self.write("points.csv", GOOD)

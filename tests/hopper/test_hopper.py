@@ -474,8 +474,8 @@ class Hopper(clod.Case):
         tests = "flow_function: {shear_tests: [{points: p.csv}, {points: q.csv}]}\nwall_friction: {angle: 18 deg}\n"
         head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
         for cohesion, slope, tau_pre, words in (
-                (3.0, -0.5, 1.5, ["p.csv and those after it: The yield locus at a preshear stress of 4.000 kPa falls "
-                                  "(phi_lin = -26.6 deg): peak shear stress must rise with normal stress."]),
+                (3.0, -0.5, 1.5, ["p.csv:2, 3, 4: the yield locus at a preshear stress of 4.000 kPa has phi_lin = -26.57 deg; "
+                                  "it must be 1 to 80 deg.", "Have sigma_sh and tau_sh been exchanged"]),
                 (9.0, 0.577, 11.0, ["phi_e is undefined in every yield locus, since sigma_2 is tension (-",
                                     "at a preshear stress of 4.000 kPa)", "give the key effective_friction."])):
             for name, times in (("p.csv", 1), ("q.csv", 2)):
@@ -484,6 +484,18 @@ class Hopper(clod.Case):
                     for s in (1.0, 2.0, 3.0)))
             self.refuse(tests, words)
             self.assertNotIn("neither the key", self.hopper("case.yaml", code=2).stderr)
+
+    def test_shear_stresses_in_another_unit(self):
+        """Of a results folder and a file, the second has tau_sh in Pa with kPa above it: by hand atan(0.00073)."""
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [{}],rho_b [kg/m3]\n"
+        os.mkdir(self.path("run"))
+        self.write("run/points.csv", head.format("kPa") + "".join(
+            f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 2.0, 3.0)))
+        self.write("high.csv", "# laboratory\n" + head.format("Pa") + "".join(
+            f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5)))
+        self.refuse("flow_function: {shear_tests: [{points: run}, {points: high.csv}]}\nwall_friction: {angle: 18 deg}\n",
+                    ["high.csv:3, 4, 5: the yield locus at a preshear stress of 10.000 kPa has "
+                     "phi_lin = 0.04 deg; it must be 1 to 80 deg."])
 
     def test_tables_with_mistakes(self):
         self.refuse(CASE, ["flow.csv:1: the header has no column f_c", "sigma_1 [kPa],f_c"],

@@ -83,6 +83,10 @@ class Report(clod.Case):
             self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
         said = self.made("report", "ring", "--lab", "none.csv", code=2).stderr
         self.assertIn("none.csv", said)
+        with open(self.path("falling.csv"), "w") as file:
+            file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n10,7.6,3,5\n10,7.6,5,4\n10,7.6,7,3\n")
+        said = self.made("report", "ring", "--lab", "falling.csv", code=2).stderr  # atan(-0.5)
+        self.assertIn("falling.csv:2, 3, 4: the yield locus at a preshear stress of 10.000 kPa has phi_lin = -26.57 deg", said)
 
     def test_fresh_removes_the_page(self):
         box = [clod.source("tests/restart/box.yaml"), *pages.SHORT]

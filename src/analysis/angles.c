@@ -1,0 +1,94 @@
+#include "analysis/angles.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define DEGREES (180.0 / 3.14159265358979323846)
+#define PLACES 1024 ///< bytes for files and lines
+#define MORE ", ..."
+
+static size_t source_of(const clod_angles_source *sources, size_t count, size_t index)
+{
+    size_t at = 0;
+    while (at + 1 < count && index >= sources[at].end) {
+        at++;
+    }
+    return at;
+}
+
+/** Append; what has no room becomes dots, once. */
+static void append(char text[PLACES], const char *more)
+{
+    const size_t used = strlen(text);
+    if (used + strlen(more) + sizeof MORE <= PLACES) {
+        memcpy(text + used, more, strlen(more) + 1);
+    } else if (used < sizeof MORE || strcmp(text + used - (sizeof MORE - 1), MORE) != 0) {
+        memcpy(text + used, MORE, sizeof MORE);
+    }
+}
+
+/** The files and lines of a locus: "a.csv:2, 3, 5", and "; b.csv:2" of another file. */
+static void list_places(const clod_locus *locus, const clod_locus_point *points,
+                        const clod_angles_source *sources, size_t source_count,
+                        char text[PLACES])
+{
+    size_t last = source_count;
+    text[0] = '\0';
+    for (size_t k = 0; k < locus->point_count; k++) {
+        const size_t index = locus->marks[k].index;
+        const size_t source = source_of(sources, source_count, index);
+        char line[32];
+        snprintf(line, sizeof line, "%s%zu", source == last ? ", " : ":", points[index].row);
+        if (source != last) {
+            append(text, last == source_count ? "" : "; ");
+            append(text, sources[source].path);
+        }
+        append(text, line);
+        last = source;
+    }
+}
+
+static bool check_locus(const clod_locus *locus, const char *places, clod_status *status)
+{
+    const struct {
+        const char *name, *columns;
+        double value; ///< deg
+    } ANGLES[] = {
+        {"phi_sf", "sigma_pre and tau_pre", locus->phi_sf.value * DEGREES},
+        {"phi_lin", "sigma_sh and tau_sh", locus->phi_lin.value * DEGREES},
+    };
+    char seed[32] = "";
+    if (locus->marks[0].seed != 0) { // as of a table without that column
+        snprintf(seed, sizeof seed, ", seed %lld", (long long)locus->marks[0].seed);
+    }
+    for (size_t k = 0; k < sizeof ANGLES / sizeof ANGLES[0]; k++) {
+        const double value = ANGLES[k].value;
+        if (!(value >= CLOD_ANGLES_LEAST && value <= CLOD_ANGLES_MOST)) {
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "%s: the yield locus at a preshear stress of %.3f kPa%s has %s = %.2f deg; it "
+                "must be %.0f to %.0f deg. Spheres without friction have 6 deg, and no solid is "
+                "beyond %.0f deg. Have %s been exchanged, or has one another unit?",
+                places, 1e-3 * locus->sigma_p.value, seed, ANGLES[k].name, value,
+                CLOD_ANGLES_LEAST, CLOD_ANGLES_MOST, CLOD_ANGLES_MOST, ANGLES[k].columns);
+        }
+    }
+    return true;
+}
+
+bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *points,
+                       const clod_angles_source *sources, size_t source_count,
+                       clod_status *status)
+{
+    for (size_t g = 0; g < study->count; g++) {
+        const clod_locus_group *group = &study->groups[g];
+        for (size_t s = 0; s < group->seed_count; s++) {
+            char places[PLACES];
+            list_places(&group->seeds[s], points, sources, source_count, places);
+            if (!check_locus(&group->seeds[s], places, status)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}

@@ -1,0 +1,31 @@
+#pragma once
+/**
+ * @file angles.h
+ * Angles of measured yield loci that no solid has: columns are exchanged, or have another unit.
+ * A simulation is never refused for them: its loci have a warning (warnings.h).
+ */
+
+#include "clod/locus.h"
+
+// The least solids, spheres without friction, have 5.8 deg (Peyneau & Roux, Phys. Rev. E 78 (2008)
+// 011307). Warnings begin at 5 and 65 deg; points that scatter may be on the far side of these.
+#define CLOD_ANGLES_LEAST 1.0 ///< deg
+#define CLOD_ANGLES_MOST 80.0 ///< deg, as of wall friction
+
+/** A file of points: those before `end` that no earlier file has. */
+typedef struct clod_angles_source {
+    const char *path;
+    size_t end;
+} clod_angles_source;
+
+/**
+ * Refuse yield loci of which phi_lin, or the angle phi_sf of preshear, is not 1 to 80 deg.
+ *
+ * @param study    of `points`
+ * @param sources  [source_count] at least one; the last ends with the points
+ * Errors  CLOD_USAGE with file, lines, preshear stress, value, range and what to look at.
+ * Threads pure.   Test  tests/analysis/test_angles.c
+ */
+bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *points,
+                       const clod_angles_source *sources, size_t source_count,
+                       clod_status *status);

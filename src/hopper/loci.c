@@ -1,0 +1,193 @@
+#include "hopper/loci.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <sys/stat.h>
+
+#include "analysis/angles.h"
+#include "base/memory.h"
+#include "clod/locus.h"
+
+/** A value with its standard error; what is not known is 0. */
+static void put(clod_curve_point *point, clod_locus_value value)
+{
+    point->y = isfinite(value.value) ? value.value : 0.0;
+    point->y_error = isfinite(value.error) ? value.error : 0.0;
+}
+
+/** What clod locus says about a yield locus. */
+static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
+{
+    notes->one_specimen = notes->one_specimen || clod_locus_one_specimen(locus);
+    for (size_t k = 0; k < locus->warning_count; k++) {
+        clod_warning_list_add(notes->warnings,
+                              "Yield locus at a preshear stress of %.3f kPa: %s",
+                              1e-3 * locus->sigma_p.value, locus->warnings[k]);
+    }
+}
+
+/** Refuse a yield locus without a strength, and say why it has none. */
+static bool has_strength(const clod_locus *locus, clod_status *status)
+{
+    return !isnan(locus->sigma_c.value) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "The yield locus at a preshear stress of %.3f kPa has no "
+                            "unconfined yield strength (its cohesion is below 0); "
+                            "clod locus says more about its points.",
+                            1e-3 * locus->sigma_p.value);
+}
+
+/** Refuse loci of which none has phi_e, where nothing else gives it. */
+static bool has_phi_e(const clod_locus_study *study, clod_status *status)
+{
+    const clod_locus *first = &study->groups[0].locus;
+    for (size_t g = 0; g < study->count; g++) {
+        if (isfinite(study->groups[g].locus.phi_e.value)) {
+            return true;
+        }
+    }
+    return clod_status_fail(status, CLOD_USAGE,
+                            "phi_e is undefined in every yield locus, since sigma_2 is tension "
+                            "(%.3f kPa at a preshear stress of %.3f kPa): their shear stresses "
+                            "are too large for their normal stresses. Check the columns and "
+                            "units of the points, or give the key effective_friction.",
+                            1e-3 * first->sigma_2.value, 1e-3 * first->sigma_p.value);
+}
+
+/** Rows of the loci of a study; owned, NULL with status. */
+static clod_loci_row *rows_of(const clod_locus_study *study, bool brings_phi_e,
+                              clod_tables_notes *notes, clod_status *status)
+{
+    clod_loci_row *rows = clod_memory_alloc(study->count, sizeof *rows);
+    if (rows == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for the loci.");
+        return NULL;
+    }
+    bool good = true;
+    for (size_t g = 0; g < study->count && good; g++) {
+        const clod_locus *locus = &study->groups[g].locus;
+        good = has_strength(locus, status);
+        put(&rows[g].strength, locus->sigma_c);
+        put(&rows[g].phi_e, locus->phi_e);
+        put(&rows[g].phi_t, locus->phi_lin);
+        put(&rows[g].rho, locus->rho_b);
+        rows[g].strength.x = locus->sigma_1.value;
+        rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
+        take_notes(locus, notes);
+    }
+    if (study->warning[0] != '\0') {
+        clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);
+    }
+    if (!good || (brings_phi_e && !has_phi_e(study, status))) {
+        clod_memory_free(rows);
+        return NULL;
+    }
+    return rows;
+}
+
+bool clod_loci_find(const char *path, const char *table, char inside[PATH_MAX],
+                    clod_status *status)
+{
+    struct stat kind;
+    const bool folder = stat(path, &kind) == 0 && S_ISDIR(kind.st_mode);
+    snprintf(inside, PATH_MAX, "%s%s%s", path, folder ? "/" : "", folder ? table : "");
+    return !folder || stat(inside, &kind) == 0 ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: the folder has no %s: its run is not finished, or is no test "
+               "that writes one. clod run goes on with a run that is not finished.",
+               path, table);
+}
+
+/** Points of all tests, and the files that they come from. */
+typedef struct tests {
+    char (*paths)[PATH_MAX];     ///< [count] owned
+    clod_angles_source *sources; ///< [count] owned
+    size_t count;
+    clod_locus_point *points; ///< [point_count] owned
+    size_t point_count;
+} tests;
+
+static void tests_fini(tests *self)
+{
+    clod_memory_free(self->paths);
+    clod_memory_free(self->sources);
+    clod_memory_free(self->points);
+}
+
+/** Append the points of a test: of the file, or of points.csv in a results folder. */
+static bool add_test(tests *self, const char *path, clod_status *status)
+{
+    char *inside = self->paths[self->count];
+    clod_locus_point *points;
+    size_t more;
+    if (!clod_loci_find(path, "points.csv", inside, status) ||
+        !clod_locus_read(inside, NULL, &points, &more, status)) {
+        return false;
+    }
+    const size_t count = self->point_count;
+    clod_locus_point *grown =
+        clod_memory_grow(self->points, count, count + more, sizeof *grown);
+    if (grown == NULL) {
+        clod_locus_free(points);
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", more);
+    }
+    for (size_t i = 0; i < more; i++) {
+        grown[count + i] = points[i];
+    }
+    clod_locus_free(points);
+    self->points = grown;
+    self->point_count += more;
+    self->sources[self->count++] = (clod_angles_source){inside, self->point_count};
+    return true;
+}
+
+static bool read_tests(tests *self, const clod_hopper_strength *from, clod_status *status)
+{
+    self->paths = clod_memory_alloc(from->test_count, sizeof *self->paths);
+    self->sources = clod_memory_alloc(from->test_count, sizeof *self->sources);
+    if (self->paths == NULL || self->sources == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu tests.",
+                                from->test_count);
+    }
+    for (size_t t = 0; t < from->test_count; t++) {
+        if (!add_test(self, from->tests[t].points, status)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** The loci of all points together; NULL with status. */
+static clod_loci_row *evaluate(const tests *self, const clod_hopper_case *of, size_t *count,
+                               clod_tables_notes *notes, clod_status *status)
+{
+    clod_status why = {0};
+    clod_loci_row *rows = NULL;
+    clod_locus_study *study = clod_locus_study_create(self->points, self->point_count, &why);
+    if (study == NULL ||
+        clod_angles_check(study, self->points, self->sources, self->count, status)) {
+        rows = study != NULL ? rows_of(study, !of->phi_e.present, notes, &why) : NULL;
+        if (rows == NULL) { // of several files: the preshear stress says which
+            clod_status_fail(status, why.code, "%s%s: %s", of->strength.tests[0].points,
+                             self->count > 1 ? " and those after it" : "", why.text);
+        }
+    }
+    *count = rows != NULL ? study->count : 0;
+    clod_locus_study_destroy(&study);
+    return rows;
+}
+
+bool clod_loci_read(const clod_hopper_case *of, void **rows, size_t *count,
+                    clod_tables_notes *notes, clod_status *status)
+{
+    tests all = {0};
+    *rows = NULL;
+    *count = 0;
+    if (read_tests(&all, &of->strength, status)) {
+        *rows = evaluate(&all, of, count, notes, status);
+    }
+    tests_fini(&all);
+    return *rows != NULL;
+}

@@ -1,0 +1,123 @@
+"""clod hopper with an outlet that is given: what is said where it arches, and why it has no margin."""
+
+import json
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+FLOW = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3]\n"
+ROWS = "2,1.4,0.05,48,40,1250\n4,1.9,0.05,47,40,1300\n8,2.9,0.08,46,39,1350\n"
+SMOOTH = "wall_friction: {angle: 20 deg, error: 1 deg}\n"
+ADHESIVE = "wall_friction: {file: wall.csv}\n"  # tau_w = 0.3 kPa + 0.3 sigma_w: sticks at small stresses
+KINDS = ("below the critical one", "inside the interval", "do not flow through", "arches, as every outlet does")
+
+
+class Outlet(clod.Case):
+
+    def start(self, wall=SMOOTH, rows=ROWS, more=""):
+        for name, text in (("flow.csv", FLOW + rows),
+                           ("wall.csv", "sigma_w [kPa],tau_w [kPa]\n1,0.6\n4,1.5\n16,5.1\n"),
+                           ("case.yaml", "flow_function: {file: flow.csv}\n" + wall + more)):
+            with open(self.path(name), "w") as file:
+                file.write(text)
+
+    def design(self, *arguments):
+        """What is on the terminal, in one line, and in design.json; both and the page have the same warnings."""
+        done = clod.run("hopper", "case.yaml", "-o", "design", "--set", "interval.samples=200", *arguments,
+                        cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("design.json")) as file:
+            found = json.load(file)
+        with open(self.path("design.html")) as file:
+            page = file.read()
+        told = " ".join(done.stdout.split())
+        for text in found["warnings"]:
+            self.assertIn("- " + text, told)
+            self.assertIn(f"<li>{text}</li>", page.replace("&#39;", "'"))
+        return found
+
+    def outlet(self, shape, length, *arguments):
+        """The design, and what is said of the outlet of a shape: [(kind, text)], and why it has no margin."""
+        found = self.design("--set", f"{shape}.outlet={1e3 * length:.6g} mm", *arguments)
+        mine = [text for text in found["warnings"] if text.startswith(shape.capitalize() + ": ") and "outlet of" in text]
+        kinds = [(kind, text) for text in mine for kind in KINDS if kind in text]
+        why = [text.partition("has no stress over strength: ")[2] for text in mine if "has no stress" in text]
+        return found[shape], kinds, why
+
+    def test_below_inside_and_above_the_interval(self):
+        self.start()
+        design = self.design()
+        for shape in ("cone", "wedge"):
+            critical = design[shape]["outlet_m"]
+            low, value, high = (critical[end] for end in ("low", "value", "high"))
+            numbers = f"{1e3 * value:.1f} mm ({1e3 * low:.1f} to {1e3 * high:.1f}): "
+            for length, kind, words in ((0.9 * low, KINDS[0], numbers + "it arches. "),
+                                        (0.5 * (low + value), KINDS[0], numbers + "as measured it arches. "),
+                                        (0.5 * (value + high), KINDS[1], numbers + "it may arch. ")):
+                found, said, why = self.outlet(shape, length)
+                self.assertEqual(([one for one, _ in said], why), ([kind], []), said)
+                share = 100.0 * found["planned_outlet_arching_share"]
+                self.assertTrue(share > 5.0)
+                self.assertIn(f"{shape.capitalize()}: the outlet of {1e3 * length:.6g} mm is ", said[0][1])
+                self.assertTrue(said[0][1].endswith(words + f"{share:.1f} % of the samples do not flow."), said)
+            self.assertEqual(self.outlet(shape, 1.5 * high)[1:], ([], []))
+
+    def test_an_outlet_that_is_not_given_is_not_spoken_of(self):
+        self.start(more="largest_particle: 100 mm\n")
+        self.assertFalse([text for text in self.design()["warnings"] if "the outlet of" in text])
+
+    def test_a_wall_that_holds_the_solid_at_low_stresses(self):
+        """The design has a margin, a small outlet none: there the wall friction angle is too large."""
+        self.start(wall=ADHESIVE)
+        critical = self.design()["cone"]["outlet_m"]["value"]
+        self.assertGreater(self.outlet("cone", 2.0 * critical)[0]["arching_margin"]["value"], 1.0)
+        found, said, why = self.outlet("cone", 0.05 * critical)
+        self.assertEqual(found["outcome"], "flows")
+        self.assertIsNone(found["arching_margin"]["value"])
+        self.assertEqual([kind for kind, _ in said], [KINDS[0]])
+        self.assertEqual(len(why), 1)
+        told = re.match(r"at the low stresses of so small an outlet, sigma_1 of ([0-9.]+) kPa, the solid does not slide "
+                        r"along a wall of ([0-9.]+) deg, and so does not flow\.$", why[0])
+        self.assertTrue(told, why)
+        self.assertLess(float(told.group(1)), 1e-3 * found["sigma_1_Pa"]["value"])
+        self.assertEqual(told.group(2), f"{found['half_angle_deg']['value']:.1f}")
+
+    def test_funnel_flow_has_no_margin(self):
+        self.start(wall="wall_friction: {angle: 46 deg}\n")
+        for shape in ("cone", "wedge"):
+            found, said, why = self.outlet(shape, 0.5)
+            self.assertEqual((found["outcome"], said), ("funnel_flow", []))
+            self.assertEqual(why, ["it is funnel flow, where a rathole decides in place of an arch."])
+
+    def test_a_solid_that_cannot_flow(self):
+        self.start(rows="2,3.0,0,45,40,1250\n8,9.0,0,45,40,1350\n")
+        found, said, _ = self.outlet("cone", 0.5)
+        self.assertEqual(found["outlet_m"]["value"], "infinite")
+        self.assertEqual([kind for kind, _ in said], [KINDS[3]])
+
+    def test_a_half_angle_at_the_limit(self):
+        """A hundredth of a degree below the limit of the values as measured: in about half of the samples the wall
+        is too rough for it. Half of 200, to three standard errors: 0.5 +- 0.11."""
+        self.start(more="margin: 0.01 deg\n")
+        high = self.design()["cone"]["outlet_m"]["high"]
+        found, said, _ = self.outlet("cone", 3.0 * high)
+        share = found["planned_outlet_arching_share"]
+        self.assertAlmostEqual(share, 0.5, delta=0.15)
+        self.assertEqual([kind for kind, _ in said], [KINDS[2]])
+        self.assertIn(f"Cone: {100 * share:.1f} % of the samples do not flow through the outlet of", said[0][1])
+
+    def test_large_particles(self):
+        """8 times the largest in a cone, 4 times in a wedge (Marinelli): 800 and 400 mm."""
+        self.start(more="largest_particle: 100 mm\n")
+        for shape, times, least in (("cone", 8, 0.8), ("wedge", 4, 0.4)):
+            words = f"is below {times} times the largest particle, {1e3 * least:.1f} mm: particles may lock over it"
+            for length in (0.99 * least, 1.01 * least):
+                told = " ".join(self.design("--set", f"{shape}.outlet={length} m")["warnings"])
+                self.assertEqual(words in told, length < least, told)
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
