@@ -7,7 +7,7 @@ import subprocess
 
 def run_one(clod, folder, name, case, changes):
     """Run a case with keys changed into folder/name; what it prints goes to files beside. An interrupted run goes on."""
-    command = [clod, "run", case, "-o", os.path.join(folder, name), "--threads", "1"]
+    command = [clod, "run", case, "-o", os.path.join(folder, name), "--threads", "1", "--no-report"]
     for change in changes:
         command += ["--set", change]
     with open(os.path.join(folder, name + ".txt"), "w") as out, \

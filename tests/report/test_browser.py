@@ -139,7 +139,7 @@ class Browser(BrowserCase):
 
     def test_ring_shear(self):
         """A real test: all figures are drawn, the yield locus at equal scale with its points in their places."""
-        done = clod.run("run", clod.source("tests/restart/ring.yaml"), "-o", self.path("ring"), "-t", "1", "--report")
+        done = clod.run("run", clod.source("tests/restart/ring.yaml"), "-o", self.path("ring"), "-t", "1", page=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.need_scripts(clod.run("report", self.path("ring")))
         with open(self.path("ring/summary.json")) as file:
@@ -243,7 +243,7 @@ class Browser(BrowserCase):
         """The view has all of them, and the scripts draw them."""
         with open(self.path("many.yaml"), "w") as file:
             file.write(MANY)
-        done = clod.run("run", self.path("many.yaml"), "-o", self.path("many"), "--report")
+        done = clod.run("run", self.path("many.yaml"), "-o", self.path("many"), page=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.need_scripts(clod.run("report", self.path("many")))
         seen, _ = self.show("many/report.html")
