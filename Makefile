@@ -33,7 +33,7 @@ build: setup ## build the program, build/release/clod
 	@cmake --build --preset release
 
 run: build ## run the 5 % copper ore into run/copper-ore-5, with ARGS
-	$(RELEASE)/clod run cases/copper-ore-5/case.yaml -o run/copper-ore-5 --report $(ARGS)
+	$(RELEASE)/clod run cases/copper-ore-5/case.yaml -o run/copper-ore-5 $(ARGS)
 
 chute: build ## run the small transfer chute, dry and at 8 % moisture, and compare them
 	@mkdir -p run

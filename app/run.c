@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -27,10 +28,10 @@
 typedef struct request {
     clod_one_case of;
     clod_run_options options;
-    bool report; ///< write its page at the end
+    bool no_page; ///< leave out the page that a complete run gets
 } request;
 
-enum { KEY_REPORT = 256 };
+enum { KEY_NO_REPORT = 256 };
 
 /** What the progress line shows; parts report from their own threads. */
 typedef struct screen {
@@ -117,8 +118,10 @@ static const struct argp_option OPTIONS[] = {
      "instruction set: scalar, avx2, avx512, neon (this machine's best); results do not depend "
      "on it",
      0},
-    {"report", KEY_REPORT, NULL, 0,
-     "at the end write report.html, a page for the browser, as clod report does", 0},
+    {"no-report", KEY_NO_REPORT, NULL, 0,
+     "leave out report.html and its figures, the page for the browser that clod report writes "
+     "too",
+     0},
     {0},
 };
 
@@ -165,8 +168,8 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case 'i':
         self->options.simd = argument;
         return 0;
-    case KEY_REPORT:
-        self->report = true;
+    case KEY_NO_REPORT:
+        self->no_page = true;
         return 0;
     default:
         return clod_one_case_parse(&self->of, key, argument, state);
@@ -225,23 +228,58 @@ static int exit_status(const clod_status *status)
     return status->code == CLOD_USAGE ? 2 : 1;
 }
 
-/** Write the page of a run that is complete. The run is done, so what fails here is only said. */
-static void write_report(const request *self)
+/** Where the page of a run goes. */
+typedef struct run_page {
+    char *standard;     ///< owned; NULL: the folder was named
+    const char *folder; ///< NULL: no memory for it
+    bool there;         ///< the run was complete before, and has a page: it stays, with what
+                        ///< clod report has laid over it
+} run_page;
+
+static bool has_file(const char *folder, const char *name)
 {
-    clod_status status = {CLOD_OK, ""};
-    char *standard =
-        self->options.directory == NULL ? clod_report_folder(self->of.path, &status) : NULL;
-    const char *folder = self->options.directory != NULL ? self->options.directory : standard;
-    const clod_report_options options = {.runs = &folder, .run_count = 1};
+    char path[4096];
+    struct stat about;
+    return snprintf(path, sizeof path, "%s/%s", folder, name) < (int)sizeof path &&
+           stat(path, &about) == 0 && S_ISREG(about.st_mode);
+}
+
+/** Look for a page before the run. */
+static run_page find_page(const request *self)
+{
+    clod_status status = {CLOD_OK, ""}; // a folder without a name is told by the run
+    run_page page = {.folder = self->options.directory};
+    if (page.folder == NULL) {
+        page.folder = page.standard = clod_report_folder(self->of.path, &status);
+    }
+    page.there = page.folder != NULL && !self->options.fresh &&
+                 has_file(page.folder, "report.txt") && has_file(page.folder, "report.html");
+    return page;
+}
+
+/** Write the page of a run that is complete. The run is done, so what fails here is only said. */
+static void write_page(const run_page *page)
+{
+    clod_status status = {CLOD_FAILED, "no memory for the name of its folder"};
+    const clod_report_options options = {.runs = &page->folder, .run_count = 1};
     char *path = NULL;
-    if (folder == NULL || !clod_report_write(&options, &path, &status)) {
-        fprintf(stderr, "clod run: the run is complete, but not its page report.html: %s\n",
+    if (page->there) {
+        fprintf(stderr, "clod: the page of this run stays as it is: %s/report.html\n",
+                page->folder);
+        return;
+    }
+    if (page->folder == NULL || !clod_report_write(&options, &path, &status)) {
+        fprintf(stderr,
+                "clod run: the run is complete and its results are safe, but its page "
+                "report.html could not be written (clod report writes it, too): %s\n",
                 status.text);
-    } else {
-        fprintf(stderr, "clod: figures and tables for the browser: %s\n", path);
+        return;
+    }
+    fprintf(stderr, "clod: figures and tables for the browser: %s\n", path);
+    if (clod_report_lacks() != NULL) {
+        fprintf(stderr, "clod: %s.\n", clod_report_lacks());
     }
     clod_report_free(path);
-    clod_report_free(standard);
 }
 
 static int run_case(request *self)
@@ -260,6 +298,7 @@ static int run_case(request *self)
     self->options.progress = show_progress;
     self->options.notice = show_notice;
     self->options.context = &shown;
+    const run_page page = find_page(self);
     char *report;
     bool ok = clod_run(from, &self->options, &report, &status);
     if (ok && (fputs(report, stdout) == EOF || fflush(stdout) != 0)) {
@@ -268,12 +307,13 @@ static int run_case(request *self)
               "folder\n",
               stderr);
         ok = false;
-    } else if (ok && self->report) {
-        write_report(self);
+    } else if (ok && !self->no_page) {
+        write_page(&page);
     } else if (!ok) {
         fprintf(stderr, "%sclod run: %s\n", shown.terminal ? CLEAR_LINE : "", status.text);
     }
     clod_run_free(report);
+    clod_report_free(page.standard);
     clod_case_destroy(&from);
     pthread_mutex_destroy(&shown.lock);
     return ok ? 0 : exit_status(&status);
@@ -295,7 +335,8 @@ int clod_app_run(int argc, char **argv)
             "writes "
             "a snapshot and a permanent checkpoint of each active part, and continues. The "
             "results folder holds results and log; the result table also goes to standard "
-            "output. mpirun -n N clod run CASE computes it on N processes, with the same bits.",
+            "output. A complete run has a page for the browser there, report.html "
+            "(docs/howto/report.md). mpirun -n N clod run CASE computes it on N processes, with the same bits.",
     };
     int failed;
     clod_ranks *ranks = clod_app_join("clod run", &failed);

@@ -8,7 +8,7 @@ import subprocess
 def run_one(clod, folder, name, case, changes, origin=None):
     """Run a case with keys changed into folder/name, or on from the run folder/origin; what it prints goes to files
     beside. An interrupted run goes on."""
-    command = [clod, "run", case, "-o", os.path.join(folder, name), "--threads", "1"]
+    command = [clod, "run", case, "-o", os.path.join(folder, name), "--threads", "1", "--no-report"]
     for change in changes:
         command += ["--set", change]
     if origin is not None and not os.path.exists(os.path.join(folder, name)):

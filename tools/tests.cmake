@@ -186,7 +186,7 @@ if(MPI_FOUND)
     CLOD_PIECES=$<TARGET_FILE:clod_pieces>)
 endif()
 
-set_tests_properties(report/test_browser PROPERTIES SKIP_REGULAR_EXPRESSION "OK \\(skipped=")
+set_tests_properties(report/test_browser report/test_view PROPERTIES SKIP_REGULAR_EXPRESSION "OK \\(skipped=")
 
 # MPI's ranks look for messages without a rest: beside another test they take three to five times as long.
 set_tests_properties(parallel/test_mpirun parallel/test_mpirun_limits parallel/test_mpirun_library

@@ -15,7 +15,7 @@
 #include "calibrate/rows.h"
 
 #define NAP 20000000  // ns between looks at the processes
-#define FIXED 9       // arguments beside the settings
+#define FIXED 10      // arguments beside the settings
 #define PATIENCE 1000 // naps until a folder that an earlier process still writes must be free
 
 static void nap(void)
@@ -75,6 +75,7 @@ static char **make_arguments(const crew *self, size_t row, const char *folder, s
                                       folder,
                                       "-t",
                                       "1",
+                                      "--no-report",
                                       "--set",
                                       seed};
     bool lost = false;

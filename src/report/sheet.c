@@ -150,8 +150,8 @@ bool clod_sheet_write(clod_sheet *self, const char *title, const char *path,
         return fail_memory(status);
     }
     const bool good = clod_figure_files_check(path, self->files, self->file_count, status) &&
-                      clod_file_replace(path, NULL, 0, file, strlen(file), status) &&
-                      clod_figure_files_write(path, self->files, self->file_count, status);
+                      clod_figure_files_write(path, self->files, self->file_count, status) &&
+                      clod_file_replace(path, NULL, 0, file, strlen(file), status);
     clod_memory_free(file);
     return good;
 }

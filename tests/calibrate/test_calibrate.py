@@ -39,6 +39,9 @@ class Calibrate(bounce.Bounce):
         """Every run by itself: the energy of its own restitution, but for the scatter of 12 masses."""
         rows = self.rows()
         self.assertEqual(len(rows), 18)
+        left = [name for _, _, names in os.walk(self.path("out/runs")) for name in names]
+        self.assertEqual(left.count("summary.json"), 18)
+        self.assertEqual([name for name in left if name.startswith("report") and name != "report.txt"], [])  # no pages
         self.assertEqual([row["seed"] for row in rows], [str(k + 1) for k in range(18)])
         spread = 3.0 * (B - A) / math.sqrt(12.0) / (0.5 * (A + B)) / math.sqrt(GRAINS)
         for row in rows:

@@ -124,7 +124,7 @@ class Signals(clod.Case):
         """Parts side by side each save, and end as in a run that nobody disturbed."""
         options = ("-t", "2", "--set", "ring_shear.seeds=2")
         for name in ("whole", "out"):
-            process = subprocess.Popen([clod.BINARY, "run", RING, "-o", self.path(name), *options],
+            process = subprocess.Popen([clod.BINARY, "run", RING, "--no-report", "-o", self.path(name), *options],
                                        stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
             if name == "out":
                 for phase in ("preshear", "shear"):

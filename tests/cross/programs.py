@@ -88,7 +88,7 @@ def clod_run(folder, text, grains):
     write_grains(os.path.join(folder, "grains.csv"), grains)
     with open(os.path.join(folder, "case.yaml"), "w") as file:
         file.write(text)
-    call([CLOD, "run", "case.yaml", "-o", "out", "--threads", "1", "--fresh"], folder)
+    call([CLOD, "run", "case.yaml", "-o", "out", "--threads", "1", "--fresh", "--no-report"], folder)
 
 
 def _sequence(path):

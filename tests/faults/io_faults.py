@@ -37,7 +37,7 @@ def read_log(path):
     return calls
 
 
-def run(under, *arguments, at=None, only=None, error=errno.EIO, on=False, log=None):
+def run(under, *arguments, at=None, only=None, error=errno.EIO, on=False, log=None, page=False):
     """Run clod; call number `at` on a path under `under` fails (all from there with `on`).
 
     `only` is a pair of call and path: then such calls alone are numbered.
@@ -50,7 +50,7 @@ def run(under, *arguments, at=None, only=None, error=errno.EIO, on=False, log=No
     if at is not None:
         environment |= {"CLOD_FAULT_AT": str(at), "CLOD_FAULT_ERROR": str(error),
                         "CLOD_FAULT_ON": str(int(on))}
-    return clod.run(*arguments, env=environment)
+    return clod.run(*arguments, env=environment, page=page)
 
 
 def is_harmless(calls, at):
@@ -84,10 +84,10 @@ class FaultCase(clod.Case):
         self.work = self.path("work")
         self.log = self.path("calls")
 
-    def record(self, arguments, prepare):
+    def record(self, arguments, prepare, page=False):
         """The calls of a run without faults; its results stay in `whole`."""
         self.begin(prepare)
-        done = run(self.work, *arguments, log=self.log)
+        done = run(self.work, *arguments, log=self.log, page=page)
         self.assertEqual(done.returncode, 0, done.stderr)
         calls = read_log(self.log)
         whole = self.path("whole")

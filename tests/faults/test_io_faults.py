@@ -118,6 +118,25 @@ class Run(faults.FaultCase):
             self.fail_at(self.command, self.put_stopped, 1, errno.EINTR, ["run"],
                          only=(call, os.path.join(self.out, file)))
 
+    def test_each_call_of_its_page(self):
+        """The run is complete whatever happens to its page: it is told, and `clod run` writes it the next time."""
+        calls = self.record(self.command, self.put_case, page=True)
+        last = max(at for at, call in enumerate(calls, 1) if call.file.startswith("report.txt"))
+        numbers = [at for at in range(last + 1, len(calls) + 1)
+                   if calls[at - 1].name in (*faults.WRITING, "openat", "fsync", "renameat", "close")]
+        self.assertGreater(len(numbers), 30)
+        told = 0
+        for at in numbers[::self.EVERY // 4]:
+            self.begin(self.put_case)
+            done = faults.run(self.work, *self.command, at=at, error=errno.ENOSPC, page=True)
+            self.assertEqual(done.returncode, 0, f"{calls[at - 1]}: {done.stderr}")
+            told += "but its page report.html could not be written" in done.stderr
+            done = clod.run(*self.command, page=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("report.html", os.listdir(self.out))
+            self.assertEqual(sorted(os.listdir(self.out)), sorted(os.listdir(self.path("whole/out"))), calls[at - 1])
+        self.assertGreater(told, 3)
+
     def test_newest_checkpoint_cannot_be_read(self):
         """The older one is used, which is told, and nothing is lost."""
         self.stop_half_way()

@@ -29,7 +29,7 @@ WALL_FRICTION = clod.source("tests/parallel/wall_friction.yaml")
 
 
 def start(ranks, *arguments):
-    return subprocess.Popen([*MPIRUN, str(ranks), clod.BINARY, *arguments], text=True,
+    return subprocess.Popen([*MPIRUN, str(ranks), *clod.without_page([clod.BINARY, *arguments])], text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 

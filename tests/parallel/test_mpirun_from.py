@@ -106,7 +106,7 @@ class From(rank_groups.Groups):
         self.assertEqual(before, clod.read(clod.checkpoints(out, POINTS[0])[0]))
 
     def command(self, out, old):
-        return [clod.BINARY, "run", RING, "-o", out, *SEEDS, *STRESSES, "--from", old]
+        return clod.without_page([clod.BINARY, "run", RING, "-o", out, *SEEDS, *STRESSES, "--from", old])
 
     def on_two_hosts(self, here, there, command):
         """Ranks 0 and 1, each in a folder of its own."""

@@ -3,21 +3,19 @@
 Skipped where there is no browser, or clod was built without the scripts of its pages.
 """
 
-import html
 import json
 import os
 import re
 import shutil
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "calibrate"))
 import bounce
 import pages
+from browser import BrowserCase
 from pages import clod
 
-BROWSER = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "google-chrome"))), None)
 # on their way down, for ten steps
 MANY = """title: A hundred thousand grains
 materials: {ore: {density: 2500 kg/m3}, steel: {}}
@@ -29,32 +27,18 @@ walls: {floor: {material: steel, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm], no
 stages: [{name: fall, duration: 1e-5 s}]
 output: {snapshot_interval: 1e-5 s}
 """
-# a note of the driver's about speed, no error of the page
-IGNORED = "GL Driver Message"
+# of each figure that is drawn: its box, and those of titles, labels and legend in it; left, top, right, bottom
+BOXES = """
+  const box = place => { const at = place.getBoundingClientRect(); return [at.left, at.top, at.right, at.bottom]; };
+  const boxes = (live, what) => [...live.querySelectorAll(what)].filter(place => place.textContent !== "").map(box);
+  return [...document.querySelectorAll("figure .live")].filter(live => live.querySelector(".main-svg")).map(live => ({
+    name: live.parentElement.id, whole: box(live.querySelector(".main-svg")),
+    x: boxes(live, ".xtitle"), y: boxes(live, ".ytitle"), labels: boxes(live, ".xtick text, .ytick text"), legend: boxes(live, ".legendtext"),
+  }));
+"""
 
 
-@clod.unittest.skipIf(BROWSER is None, "no browser: Debian's chromium-headless-shell shows the pages")
-class Browser(clod.Case):
-
-    def show(self, name, width=1200):
-        """The page after its scripts ran: attributes of its root element, and the whole text."""
-        done = subprocess.run(
-            [BROWSER, "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-             f"--user-data-dir={self.path('profile')}", "--virtual-time-budget=20000",
-             f"--window-size={width},900", "--enable-logging=stderr", "--dump-dom", f"file://{self.path(name)}"],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600)
-        said = [line for line in done.stderr.splitlines() if ":CONSOLE" in line and IGNORED not in line]
-        self.assertEqual(said, [])
-        root = re.search(r"<html([^>]*)>", done.stdout)[1]
-        seen = {key: html.unescape(value) for key, value in re.findall(r'data-(\w+)="([^"]*)"', root)}
-        self.assertEqual(seen.get("ready"), "yes", done.stderr[-2000:])
-        self.assertEqual(json.loads(seen["errors"]), [])
-        self.assertLessEqual(int(seen["overflow"]), 0, "wider than the window")
-        return seen, done.stdout
-
-    def need_scripts(self, done):
-        if "built without the scripts" in done.stderr:
-            self.skipTest("no scripts: clod was built without npm or a network")
+class Browser(BrowserCase):
 
     def unfolded(self, name):
         """Figures that are not folded away, and the names of their curves, as the file has them."""
@@ -117,6 +101,27 @@ class Browser(clod.Case):
         self.assertLess(6.6 * max(map(len, legend)), 390 - 56)  # an ä of Helvetica has 0.556 of its 12 pixels; the line before it
         self.assertEqual(self.unfolded("run/report.html")["force-z"], [f"surface liner.{name}" for name in names])
 
+    def test_titles_of_axes(self):
+        """Whole in the figure's box, and on no label and no name of a legend, on every kind of page."""
+        found = 0
+        for name in pages.every(self.folder):
+            if found == 0:
+                self.need_scripts(clod.run("report", self.path("free")))
+            for width, height in ((1200, 2600), (390, 1300), *(((1200, 900), (390, 700)) if found == 0 else ())):
+                seen, _ = self.show(name, width, height, BOXES)
+                for figure in json.loads(seen["tried"]):
+                    found += 1
+                    where = f"{name} {figure['name']} {width} x {height}"
+                    left, top, right, bottom = figure["whole"]
+                    self.assertEqual((len(figure["x"]), len(figure["y"])), (1, 1), where)
+                    for title in figure["x"] + figure["y"]:
+                        self.assertTrue(left <= title[0] and top <= title[1] and title[2] <= right and title[3] <= bottom,
+                                        f"{where}: {title} is not in {figure['whole']}")
+                        for other in figure["labels"] + figure["legend"]:
+                            self.assertTrue(title[2] <= other[0] or other[2] <= title[0] or title[3] <= other[1]
+                                            or other[3] <= title[1], f"{where}: {title} is on {other}")
+        self.assertGreater(found, 60)
+
     def assert_places(self, dom):
         """The strength, and both ends of the stress, stand where the labels of the axes say.
 
@@ -134,7 +139,7 @@ class Browser(clod.Case):
 
     def test_ring_shear(self):
         """A real test: all figures are drawn, the yield locus at equal scale with its points in their places."""
-        done = clod.run("run", clod.source("tests/restart/ring.yaml"), "-o", self.path("ring"), "-t", "1", "--report")
+        done = clod.run("run", clod.source("tests/restart/ring.yaml"), "-o", self.path("ring"), "-t", "1", page=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.need_scripts(clod.run("report", self.path("ring")))
         with open(self.path("ring/summary.json")) as file:
@@ -238,7 +243,7 @@ class Browser(clod.Case):
         """The view has all of them, and the scripts draw them."""
         with open(self.path("many.yaml"), "w") as file:
             file.write(MANY)
-        done = clod.run("run", self.path("many.yaml"), "-o", self.path("many"), "--report")
+        done = clod.run("run", self.path("many.yaml"), "-o", self.path("many"), page=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.need_scripts(clod.run("report", self.path("many")))
         seen, _ = self.show("many/report.html")

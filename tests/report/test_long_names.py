@@ -30,7 +30,7 @@ class LongNames(clod.Case):
         for file, (left, right) in (("one.obj", NAMES[:2]), ("two.obj", NAMES[2:])):
             with open(self.path(file), "w") as out:
                 out.write(same_names.PLATE.replace("o left", f"o {left}").replace("o right", f"o {right}"))
-        done = clod.run("run", "case.yaml", "-o", "run", "--report", cwd=self.folder)
+        done = clod.run("run", "case.yaml", "-o", "run", cwd=self.folder, page=True)
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def legends(self, pattern):

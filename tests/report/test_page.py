@@ -17,8 +17,8 @@ LAB = ("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\
 
 class Report(clod.Case):
 
-    def made(self, *arguments, code=0):
-        done = clod.run(*arguments, cwd=self.folder)
+    def made(self, *arguments, code=0, page=False):
+        done = clod.run(*arguments, cwd=self.folder, page=page)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
@@ -34,7 +34,7 @@ class Report(clod.Case):
     def test_ring_shear(self):
         """A real test: the run itself writes the page; laboratory points come over it later."""
         case = clod.source("tests/restart/ring.yaml")
-        done = self.made("run", case, "-o", "ring", "-t", "1", "--report")
+        done = self.made("run", case, "-o", "ring", "-t", "1", page=True)
         self.assertIn("ring/report.html", done.stderr)
         page = self.page("ring/report.html")
         with open(self.path("ring/summary.json")) as file:
@@ -90,7 +90,7 @@ class Report(clod.Case):
 
     def test_fresh_removes_the_page(self):
         box = [clod.source("tests/restart/box.yaml"), *pages.SHORT]
-        self.made("run", *box, "-o", "box", "--report")
+        self.made("run", *box, "-o", "box", page=True)
         self.assertIn("report.html", os.listdir(self.path("box")))
         self.assertIn("report-kinetic-energy.svg", os.listdir(self.path("box")))
         self.made("run", *box, "-o", "box", "--fresh")

@@ -30,15 +30,24 @@ def source(path):
     return os.path.join(SOURCE, path)
 
 
-def run(*arguments, timeout=1000, **more):
-    """Run clod to its end; stdout and stderr as text."""
+def without_page(command):
+    """The command, each `clod run` in it without its page: that is for tests/report to look at."""
+    made = []
+    for word in command:
+        made += [word, "--no-report"] if made[-1:] == [BINARY] and word == "run" else [word]
+    return made
+
+
+def run(*arguments, timeout=1000, page=False, **more):
+    """Run clod to its end; stdout and stderr as text. `page`: as a user does, with the page of a complete run."""
     more = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more}
-    return subprocess.run([BINARY, *arguments], text=True, timeout=timeout, **more)
+    command = [BINARY, *arguments]
+    return subprocess.run(command if page else without_page(command), text=True, timeout=timeout, **more)
 
 
 def start(*arguments):
     """Start clod and return at once."""
-    return subprocess.Popen([BINARY, *arguments], text=True, stdout=subprocess.PIPE,
+    return subprocess.Popen(without_page([BINARY, *arguments]), text=True, stdout=subprocess.PIPE,
                             stderr=subprocess.PIPE)
 
 

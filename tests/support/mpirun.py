@@ -4,6 +4,8 @@ import os
 import subprocess
 import sys
 
+import clod
+
 MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca",
           "mpi_yield_when_idle", "1", "--mca", "btl", "self,vader", "-n"]
 PYTHON = "/usr/bin/python3"  # cffi, NumPy and mpi4py are packages of Debian's own Python
@@ -12,13 +14,13 @@ PYTHON = "/usr/bin/python3"  # cffi, NumPy and mpi4py are packages of Debian's o
 def run(ranks, *command, **more):
     """Run a command on so many ranks, 0: without mpirun, to its end; stdout and stderr as text."""
     before = [*MPIRUN, str(ranks)] if ranks > 0 else []
-    return subprocess.run([*before, *command], text=True, timeout=600, stdout=subprocess.PIPE,
+    return subprocess.run([*before, *clod.without_page(command)], text=True, timeout=600, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, **more)
 
 
 def start(ranks, *command):
     """Start a command on so many ranks and return at once."""
-    return subprocess.Popen([*MPIRUN, str(ranks), *command], text=True, stdout=subprocess.PIPE,
+    return subprocess.Popen([*MPIRUN, str(ranks), *clod.without_page(command)], text=True, stdout=subprocess.PIPE,
                             stderr=subprocess.PIPE)
 
 

@@ -19,7 +19,7 @@ SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
 
 def run(ranks, *arguments):
     """Run clod on so many ranks to its end; stdout and stderr as text."""
-    return subprocess.run([*MPIRUN, str(ranks), clod.BINARY, *arguments], text=True, timeout=1000,
+    return subprocess.run([*MPIRUN, str(ranks), *clod.without_page([clod.BINARY, *arguments])], text=True, timeout=1000,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
 
 
@@ -34,7 +34,7 @@ def ranks_of(mpirun):
 class Kills(clod.Case):
 
     def command(self, out):
-        return [clod.BINARY, "run", SLIT, "-o", out, *OFTEN]
+        return clod.without_page([clod.BINARY, "run", SLIT, "-o", out, *OFTEN])
 
     def start(self, ranks, out):
         return subprocess.Popen([*MPIRUN, str(ranks), *self.command(out)], text=True,

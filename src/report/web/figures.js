@@ -116,13 +116,13 @@ function layoutOf(figure, width) {
   const rows = figure.curves.filter(curve => curve.name !== "").length;
   const small = width < 480;
   const layout = {
-    margin: {l: 64, r: 12, t: 12, b: 52},
+    margin: {l: 64, r: 12, t: 12, b: 58}, // below: marks, labels, a gap and the title
     font: {family: FONT, size: sizeOf(width), color: "#1d2733"},
     height: figure.equal ? equalHeight(figure, width) : small ? 330 : 370,
     legend: {orientation: "h", yref: "container", y: 0, yanchor: "bottom", x: 0},
     hovermode: "closest",
-    xaxis: {title: {text: titleOf(figure.x)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea", ticks: "outside", tickcolor: "#b9c0c8"},
-    yaxis: {title: {text: titleOf(figure.y)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea"},
+    xaxis: {title: {text: titleOf(figure.x), standoff: 8, font: {size: sizeOf(width)}}, automargin: true, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea", ticks: "outside", tickcolor: "#b9c0c8"},
+    yaxis: {title: {text: titleOf(figure.y), standoff: 8, font: {size: sizeOf(width)}}, automargin: true, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea"},
   };
   const longest = Math.max(0, ...figure.curves.map(curve => legendOf(curve, width).length));
   const columns = Math.max(1, Math.floor((width - 76) / (50 + 7.4 * longest)));

@@ -235,7 +235,7 @@ class View {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** Share of pixels that are not background, and how many colours they have. */
+  /** What was drawn: grains, triangles (each from both sides), the share of pixels that are not background, and how many colours they have. */
   seen() {
     this.draw();
     const gl = this.renderer.getContext();
@@ -250,7 +250,8 @@ class View {
         colours.add(pixels[k] << 16 | pixels[k + 1] << 8 | pixels[k + 2]);
       }
     }
-    return {grains: this.data.grains.count, coverage: covered / (width * height), colours: colours.size};
+    const {triangles} = this.renderer.info.render;
+    return {grains: this.data.grains.count, triangles, coverage: covered / (width * height), colours: colours.size};
   }
 }
 
@@ -263,7 +264,7 @@ export function drawViews(views) {
     } catch (error) {
       place.textContent = `This browser shows no 3-D view (${error.message}).`;
       place.style.padding = "1em";
-      return {grains: data.grains.count, coverage: 0, colours: 0};
+      return {grains: data.grains.count, triangles: 0, coverage: 0, colours: 0};
     }
   });
 }
