@@ -19,9 +19,10 @@ static void check_trough(clod_loader *loader, const char *path, const clod_case_
     const double last = belt->runs[belt->run_count - 1].length;
     if (belt->middle_roll >= belt->width) {
         char text[128];
-        snprintf(text, sizeof text,
-                 "leaves nothing of the width, %.4g mm, for the wing rolls; make it shorter than that",
-                 1e3 * belt->width);
+        snprintf(
+            text, sizeof text,
+            "leaves nothing of the width, %.4g mm, for the wing rolls; make it shorter than that",
+            1e3 * belt->width);
         fail(loader, path, "middle_roll", text);
     } else if (belt->transition > last) {
         char text[128];

@@ -279,8 +279,8 @@ static void load_vector(clod_loader *self, const clod_param *param, const clod_n
         return;
     }
     if (param->nonzero && values[0] == 0.0 && values[1] == 0.0 && values[2] == 0.0) {
-        clod_report_add(self->report, node->place, self->path, "has no direction; write for instance %s",
-                        example_of(param));
+        clod_report_add(self->report, node->place, self->path,
+                        "has no direction; write for instance %s", example_of(param));
         return;
     }
     memcpy(at(target, param->offset), values, param->length * sizeof values[0]);
