@@ -257,6 +257,16 @@ static run_page find_page(const request *self)
     return page;
 }
 
+/** Remove a page that somebody had made while the run went on: it says that the run is not complete. */
+static void drop_page(const run_page *page)
+{
+    char path[4096];
+    if (!page->there && page->folder != NULL &&
+        snprintf(path, sizeof path, "%s/report.html", page->folder) < (int)sizeof path) {
+        (void)unlink(path); // none is the rule
+    }
+}
+
 /** Write the page of a run that is complete. The run is done, so what fails here is only said. */
 static void write_page(const run_page *page)
 {
@@ -273,6 +283,7 @@ static void write_page(const run_page *page)
                 "clod run: the run is complete and its results are safe, but its page "
                 "report.html could not be written (clod report writes it, too): %s\n",
                 status.text);
+        drop_page(page);
         return;
     }
     fprintf(stderr, "clod: figures and tables for the browser: %s\n", path);
@@ -301,16 +312,20 @@ static int run_case(request *self)
     const run_page page = find_page(self);
     char *report;
     bool ok = clod_run(from, &self->options, &report, &status);
+    const bool complete = ok;
     if (ok && (fputs(report, stdout) == EOF || fflush(stdout) != 0)) {
         fputs("clod run: the results cannot be written to standard output; they are in the "
               "results "
               "folder\n",
               stderr);
         ok = false;
-    } else if (ok && !self->no_page) {
-        write_page(&page);
     } else if (!ok) {
         fprintf(stderr, "%sclod run: %s\n", shown.terminal ? CLEAR_LINE : "", status.text);
+    }
+    if (complete && self->no_page) {
+        drop_page(&page);
+    } else if (complete) {
+        write_page(&page);
     }
     clod_run_free(report);
     clod_report_free(page.standard);

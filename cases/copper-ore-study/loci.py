@@ -27,8 +27,12 @@ def has_ended(folder, name):
 
 
 def evaluated(clod, folder, text):
-    """The locus of a table of points, by clod locus."""
-    path = os.path.join(folder, "points.csv")
+    """The locus of a table of points, by clod locus. It is in a folder like that of a run: points of simulations have
+    a locus whatever its angles are, measured ones are refused where no solid has them."""
+    of_runs = os.path.join(folder, "joined")
+    os.makedirs(of_runs, exist_ok=True)
+    open(os.path.join(of_runs, ".clod-lock"), "w").close()
+    path = os.path.join(of_runs, "points.csv")
     with open(path, "w") as file:
         file.write(text)
     done = subprocess.run([clod, "locus", path, "--json"], capture_output=True, text=True, check=True)

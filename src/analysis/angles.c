@@ -1,11 +1,29 @@
 #include "analysis/angles.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
+
+#include "output/folder_names.h"
 
 #define DEGREES (180.0 / 3.14159265358979323846)
-#define PLACES 1024 ///< bytes for files and lines
+#define PLACES                                                                                 \
+    320 ///< bytes for files and lines, so that messages around them keep their reason
 #define MORE ", ..."
+
+bool clod_angles_measured(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *name = slash != NULL ? slash + 1 : path;
+    const int folder = (int)(name - path);
+    char lock[PATH_MAX + sizeof CLOD_FOLDER_LOCK];
+    if (strcmp(name, "points.csv") != 0 || folder >= PATH_MAX) {
+        return true;
+    }
+    snprintf(lock, sizeof lock, "%.*s%s", folder, path, CLOD_FOLDER_LOCK);
+    return access(lock, F_OK) != 0;
+}
 
 static size_t source_of(const clod_angles_source *sources, size_t count, size_t index)
 {
@@ -84,6 +102,10 @@ bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *po
         const clod_locus_group *group = &study->groups[g];
         for (size_t s = 0; s < group->seed_count; s++) {
             char places[PLACES];
+            const size_t first = group->seeds[s].marks[0].index;
+            if (!clod_angles_measured(sources[source_of(sources, source_count, first)].path)) {
+                continue;
+            }
             list_places(&group->seeds[s], points, sources, source_count, places);
             if (!check_locus(&group->seeds[s], places, status)) {
                 return false;

@@ -2,7 +2,8 @@
 /**
  * @file angles.h
  * Angles of measured yield loci that no solid has: columns are exchanged, or have another unit.
- * A simulation is never refused for them: its loci have a warning (warnings.h).
+ * A simulation is never refused for them, nor the points.csv of its results folder: a specimen of few
+ * grains may have any. Its loci have a warning (warnings.h).
  */
 
 #include "clod/locus.h"
@@ -18,8 +19,11 @@ typedef struct clod_angles_source {
     size_t end;
 } clod_angles_source;
 
+/** Whether a table is a measured one: not points.csv of a results folder. */
+bool clod_angles_measured(const char *path);
+
 /**
- * Refuse yield loci of which phi_lin, or the angle phi_sf of preshear, is not 1 to 80 deg.
+ * Refuse measured yield loci of which phi_lin, or the angle phi_sf of preshear, is not 1 to 80 deg.
  *
  * @param study    of `points`
  * @param sources  [source_count] at least one; the last ends with the points

@@ -79,6 +79,21 @@ static void take_points(const clod_curve *from, double error, clod_plan_samples 
     }
 }
 
+/** Append a stress [kPa]; where there is no room, dots, once. */
+static void append(char *list, size_t size, double stress, bool first)
+{
+    const char dots[] = ", ...";
+    const size_t used = strlen(list);
+    char one[32];
+    const size_t more =
+        (size_t)snprintf(one, sizeof one, "%s%.6g", first ? "" : ", ", 1e-3 * stress);
+    const bool full = used >= sizeof dots && strcmp(list + used - (sizeof dots - 1), dots) == 0;
+    if (!full) {
+        snprintf(list + used, size - used, "%s",
+                 used + more + sizeof dots <= size ? one : dots);
+    }
+}
+
 /** Whether the plan says which points are targets, and the table has them; else a complaint. */
 static bool check_choice(maker *self, const clod_number *kind, const clod_plan_samples *points)
 {
@@ -87,10 +102,8 @@ static bool check_choice(maker *self, const clod_number *kind, const clod_plan_s
         return true;
     }
     char list[160] = "";
-    size_t used = 0;
-    for (size_t k = 0; k < points->count && used < sizeof list; k++) {
-        used += (size_t)snprintf(list + used, sizeof list - used, "%s%.6g", k == 0 ? "" : ", ",
-                                 1e-3 * points->items[k].stress);
+    for (size_t k = 0; k < points->count; k++) {
+        append(list, sizeof list, points->items[k].stress, k == 0);
         if (wanted > 0.0 && clod_plan_samples_same(points->items[k].stress, wanted)) {
             return true;
         }

@@ -59,20 +59,32 @@ static void make_locus_points(maker *self, const clod_number *kind,
     clod_plan_samples_fini(&list);
 }
 
+/** Standard error of the mean density: from scatter and the table's errors, or else from the plan's of each
+ *  preshear, whichever is larger (as clod_mean_of has it). */
+static double density_error(const clod_locus *locus, const clod_locus_point *points,
+                            double given)
+{
+    const double told = isfinite(locus->rho_b.error) ? locus->rho_b.error : 0.0;
+    bool stated = true;
+    for (size_t k = 0; k < locus->point_count; k++) {
+        stated = stated && points[locus->marks[k].index].rho_b_error > 0.0;
+    }
+    return stated ? told : fmax(told, given / sqrt((double)locus->preshear_count));
+}
+
 /** The bulk density of a yield locus: the mean of its specimens. */
 static void make_density(maker *self, const clod_number *kind, const clod_plan_target *common,
-                         const clod_locus *locus)
+                         const clod_locus *locus, const clod_locus_point *points)
 {
-    const clod_locus_value *rho_b = &locus->rho_b;
-    if (isnan(rho_b->value)) {
+    if (isnan(locus->rho_b.value)) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
                         "has no rho_b at the preshear stress of test %s; add the column, or "
                         "give number and value",
                         self->wish->test);
         return;
     }
-    sample one = {.value = rho_b->value,
-                  .error = isfinite(rho_b->error) ? rho_b->error : common->error};
+    sample one = {.value = locus->rho_b.value,
+                  .error = density_error(locus, points, common->error)};
     const clod_plan_samples list = {.items = &one, .count = 1, .error_column = "rho_b_error"};
     clod_plan_samples_make(self, kind, common, &list, 0.0);
 }
@@ -107,7 +119,7 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
         if (kind->at_stress) {
             make_locus_points(self, kind, &common, locus, points, count);
         } else {
-            make_density(self, kind, &common, locus);
+            make_density(self, kind, &common, locus, points);
         }
         for (size_t k = 0; k < locus->warning_count; k++) {
             warn(self, locus->warnings[k]);

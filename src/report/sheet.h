@@ -39,8 +39,8 @@ FILE *clod_sheet_view(clod_sheet *self);
 
 /**
  * Write the page to `path`, and each figure beside it: PATH without .html, -NAME.svg. Figures that an
- * earlier page of this name had, and this one has not, are removed. The page comes last: where it is,
- * its figures are.
+ * earlier page of this name had, and this one has not, are removed. The page comes last: one that is
+ * there for the first time has its figures.
  * Errors  CLOD_USAGE: a file that is not clod's has the name of a figure; CLOD_FAILED: disk, memory.
  */
 bool clod_sheet_write(clod_sheet *self, const char *title, const char *path,

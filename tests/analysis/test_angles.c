@@ -119,6 +119,15 @@ static void a_file_is_refused_and_a_run_is_not(void **state)
     assert_null(clod_study_of_file(path, &status));
     assert_int_equal(status.code, CLOD_USAGE);
     assert_non_null(strstr(status.text, "points.csv:3, 5, 6: the yield locus at"));
+    char lock[PATH_MAX];
+    FILE *made =
+        fopen(temp_path(lock, state, ".clod-lock"), "w"); // makes it the folder of a run
+    assert_non_null(made);
+    assert_int_equal(fclose(made), 0);
+    clod_locus_study *own = clod_study_of_file(path, &status);
+    assert_non_null(own);
+    clod_locus_study_destroy(&own);
+    assert_true(clod_angles_measured("lab.csv") && clod_angles_measured("points.csv"));
     clod_locus_study *study = clod_study_of_run(path, &status);
     assert_non_null(study);
     assert_true(has_warning(&study->groups[0].locus, "The line falls (phi_lin = -26.57 deg)"));

@@ -129,6 +129,46 @@ static void density_of_shear_points_is_a_target(void **state)
     clod_plan_fini(&plan);
 }
 
+// Without rho_b_error each specimen has the plan's error e: of the mean of two e/sqrt(2), or what they scatter by,
+// 1/2 of their difference, whichever is larger.
+static void density_has_the_error_of_the_plan(void **state)
+{
+    const char *const rows = SHEAR_HEAD "1,54.8,40,12,20,1300\n1,54.8,40,30,30,1300\n"
+                                        "2,54.8,40,12,20,%d\n2,54.8,40,30,30,%d\n";
+    const struct {
+        int second;
+        const char *error;
+        double wanted;
+    } CASES[] = {{1300, "9", 9.0}, {1301, "100", 100.0}, {1340, "9", 20.0 * sqrt(2.0)}};
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        char text[400], target[80];
+        snprintf(text, sizeof text, rows, CASES[k].second, CASES[k].second);
+        snprintf(target, sizeof target, "locus: lab.csv, number: rho_b, error: %s kg/m3",
+                 CASES[k].error);
+        lab_write_file(state, "lab.csv", text);
+        clod_plan plan;
+        load_good(state, RING, target, &plan);
+        assert_true(fabs(plan.targets[0].error - CASES[k].wanted / sqrt(2.0)) < 1e-9);
+        clod_plan_fini(&plan);
+    }
+}
+
+// Of 45 rows the message names the first ones, whole, and that there are more.
+static void a_long_table_is_listed_in_part(void **state)
+{
+    char text[2048];
+    size_t used = (size_t)snprintf(text, sizeof text, "%s", FLOW_HEAD);
+    for (int k = 0; k < 45; k++) {
+        used += (size_t)snprintf(text + used, sizeof text - used, "%.2f,15,0.8\n",
+                                 100.0 * pow(1.05, k));
+    }
+    lab_write_file(state, "lab.csv", text);
+    refuse(state, RING, "locus: lab.csv",
+           "needs the key normal_stress, the sigma_1 of the row that belongs to the preshear "
+           "stress of test lab; the table has 100, 105, 110.25, ");
+    refuse(state, RING, "locus: lab.csv", ", ... kPa");
+}
+
 // ---- numbers of runs
 
 // tau = 10 kPa + sigma/2, so the sine of phi is 1/sqrt(5) and the cosine 2/sqrt(5). The steady circle touches
@@ -217,8 +257,9 @@ static void rows_that_a_shear_test_cannot_choose_are_refused(void **state)
 static void columns_that_are_wrong_are_told(void **state)
 {
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rhob [kg/m3]\n20,1200\n54.8,1250\n");
-    refuse(state, UNIAXIAL, "locus: lab.csv",
-           "there is no column \"rhob\"; did you mean rho_b? Known are sigma_1, f_c,");
+    refuse(
+        state, UNIAXIAL, "locus: lab.csv",
+        "there is no column \"rhob\"; did you mean rho_b? Known are sigma_1, sigma_c (or f_c),");
     lab_write_file(state, "lab.csv", "sigma1 [kPa],rho_b [kg/m3]\n20,1200\n54.8,1250\n");
     refuse(
         state, RING, "locus: lab.csv",
@@ -263,6 +304,8 @@ int main(void)
         TEST(scatter_of_specimens_is_no_slope),
         TEST(repeats_of_a_row_are_one_target),
         TEST(density_of_shear_points_is_a_target),
+        TEST(density_has_the_error_of_the_plan),
+        TEST(a_long_table_is_listed_in_part),
         TEST(shear_test_is_read_at_the_stress_of_the_table),
         TEST(uniaxial_test_is_read_at_the_stress_of_the_table),
         TEST(rows_that_a_shear_test_cannot_choose_are_refused),

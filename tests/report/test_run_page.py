@@ -106,6 +106,29 @@ class RunPage(clod.Case):
         self.assertNotEqual(clod.read(self.path("out/report.html")), unfinished)
         self.assertIn("report.txt", self.names())
 
+    def unfinished_page(self):
+        """A page that somebody had made before the run was complete."""
+        self.go_with("--no-report")
+        os.remove(self.path("out/report.txt"))
+        os.remove(self.path("out/summary.json"))
+        clod.run("report", "out", cwd=self.folder)
+        self.assertIn(b"not complete", clod.read(self.path("out/report.html")))
+
+    def test_no_page_stays_that_calls_a_complete_run_unfinished(self):
+        self.unfinished_page()
+        self.go_with("--no-report")
+        self.assertNotIn("report.html", self.names())
+        self.assertIn("for the browser", self.go_with().stderr)
+
+    def test_nor_where_the_new_one_cannot_be_written(self):
+        self.unfinished_page()
+        os.mkdir(self.path("out/report.html.part"))  # in the way
+        self.assertIn("could not be written", self.go_with().stderr)
+        self.assertNotIn("report.html", self.names())
+        os.rmdir(self.path("out/report.html.part"))
+        self.assertIn("for the browser", self.go_with().stderr)
+        self.assertNotIn(b"not complete", clod.read(self.path("out/report.html")))
+
     def test_in_the_standard_folder(self):
         shutil.copy(SMALL, self.path("small.yaml"))
         done = clod.run("run", "small.yaml", cwd=self.folder, page=True)
