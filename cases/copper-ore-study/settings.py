@@ -1,7 +1,7 @@
 """The ring shear tests of the study: their names, and the keys of the cases that each of them changes."""
 
 CASES = {"ore5": "cases/copper-ore-5/case.yaml", "ore8": "cases/copper-ore-8/case.yaml"}
-SEEDS = list(range(1, 11))
+SEEDS = list(range(1, 13))
 STIFFNESS = {"ore5": (4.75e8, 2.37e9, 3.56e8), "ore8": (4.75e8, 2.37e9, 5.93e8)}  # k1, k2, k_adh of Table 1, N/m^1.5
 SPEED = {"ore5": 40.0, "ore8": 36.0}  # mm/s
 WAYS = (5, 10, 20, 40)  # of preshear, mm
@@ -63,6 +63,7 @@ def choices(ore):
         "bars 40": ["ring_shear.bar_count=40"],
         "speed / 3": [f"ring_shear.speed={SPEED[ore] / 3:.4g} mm/s"],
         "speed / 10": [f"ring_shear.speed={SPEED[ore] / 10:.4g} mm/s"],
+        # over those of the usual step, time.safety 0.1
         "step x 2": ["time.safety=0.2"],
         "step x 3": ["time.safety=0.3"],
         "step / 3": ["time.safety=0.03333"],
