@@ -67,7 +67,7 @@ def choices(ore):
         "step x 2": ["time.safety=0.2"],
         "step x 3": ["time.safety=0.3"],
         "step / 3": ["time.safety=0.03333"],
-        "1e-7": ["time.step=1e-7 s"],
+        "1e-7": ["time={step: 1e-7 s}"],
         "10 mm beyond the peak": FAR,
     } | {f"preshear over {way} mm": preshear(way) for way in WAYS}
 

@@ -286,7 +286,7 @@ static void overrides_replace_add_and_reach_into_lists(void **state)
         "ring_shear.preshear_stress=30 kPa",
         "ring_shear.shear_stresses=5 10 20 kPa",
         "ring_shear.shear_stresses.1=12 kPa",
-        "time.step=1e-7 s",
+        "time={step: 1e-7 s}",
         "contacts.ore-ore.friction=50 %",
         "ring_shear.radius={mean: 3 mm, sd: 0.1 mm, min: 2 mm, max: 4 mm}"};
     static clod_status status;
