@@ -12,7 +12,8 @@
     320 ///< bytes for files and lines, so that messages around them keep their reason
 #define MORE ", ..."
 
-bool clod_angles_measured(const char *path)
+/** Whether a table is a measured one: not points.csv of a results folder. */
+static bool is_measured(const char *path)
 {
     const char *slash = strrchr(path, '/');
     const char *name = slash != NULL ? slash + 1 : path;
@@ -103,7 +104,7 @@ bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *po
         for (size_t s = 0; s < group->seed_count; s++) {
             char places[PLACES];
             const size_t first = group->seeds[s].marks[0].index;
-            if (!clod_angles_measured(sources[source_of(sources, source_count, first)].path)) {
+            if (!is_measured(sources[source_of(sources, source_count, first)].path)) {
                 continue;
             }
             list_places(&group->seeds[s], points, sources, source_count, places);

@@ -19,9 +19,6 @@ typedef struct clod_angles_source {
     size_t end;
 } clod_angles_source;
 
-/** Whether a table is a measured one: not points.csv of a results folder. */
-bool clod_angles_measured(const char *path);
-
 /**
  * Refuse measured yield loci of which phi_lin, or the angle phi_sf of preshear, is not 1 to 80 deg.
  *

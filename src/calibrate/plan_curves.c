@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "calibrate/plan_samples.h"
 #include "hopper/tables.h"
 
@@ -79,21 +80,6 @@ static void take_points(const clod_curve *from, double error, clod_plan_samples 
     }
 }
 
-/** Append a stress [kPa]; where there is no room, dots, once. */
-static void append(char *list, size_t size, double stress, bool first)
-{
-    const char dots[] = ", ...";
-    const size_t used = strlen(list);
-    char one[32];
-    const size_t more =
-        (size_t)snprintf(one, sizeof one, "%s%.6g", first ? "" : ", ", 1e-3 * stress);
-    const bool full = used >= sizeof dots && strcmp(list + used - (sizeof dots - 1), dots) == 0;
-    if (!full) {
-        snprintf(list + used, size - used, "%s",
-                 used + more + sizeof dots <= size ? one : dots);
-    }
-}
-
 /** Whether the plan says which points are targets, and the table has them; else a complaint. */
 static bool check_choice(maker *self, const clod_number *kind, const clod_plan_samples *points)
 {
@@ -101,13 +87,17 @@ static bool check_choice(maker *self, const clod_number *kind, const clod_plan_s
     if (wanted <= 0.0 && (kind->at_stress || points->count == 1)) {
         return true;
     }
-    char list[160] = "";
+    char list[160];
+    clod_text_names names = clod_text_names_begin(list, sizeof list);
     for (size_t k = 0; k < points->count; k++) {
-        append(list, sizeof list, points->items[k].stress, k == 0);
+        char one[32];
+        snprintf(one, sizeof one, "%.6g", 1e-3 * points->items[k].stress);
+        clod_text_names_add(&names, one);
         if (wanted > 0.0 && clod_plan_samples_same(points->items[k].stress, wanted)) {
             return true;
         }
     }
+    clod_text_names_end(&names);
     if (wanted > 0.0) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "normal_stress"),
                         "%.6g kPa: the table has no such sigma_1; it has %s kPa", 1e-3 * wanted,

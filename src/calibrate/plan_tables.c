@@ -20,19 +20,6 @@ typedef clod_plan_sample sample;
 
 // ---- shear tests
 
-/** Stated error of a mark's point. */
-static double error_of(const clod_locus_mark *mark, const clod_locus_point *points,
-                       size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (points[i].seed == mark->seed && points[i].sigma_s == mark->sigma &&
-            points[i].tau_s == mark->measured) {
-            return points[i].tau_s_error;
-        }
-    }
-    return 0.0;
-}
-
 /** What `clod locus` says of a table beside its numbers. */
 static void warn(maker *self, const char *warning)
 {
@@ -42,7 +29,7 @@ static void warn(maker *self, const char *warning)
 /** The prorated points of a yield locus. */
 static void make_locus_points(maker *self, const clod_number *kind,
                               const clod_plan_target *common, const clod_locus *locus,
-                              const clod_locus_point *points, size_t count)
+                              const clod_locus_point *points)
 {
     clod_plan_samples list;
     if (clod_plan_samples_init(&list, self, locus->point_count)) {
@@ -51,7 +38,7 @@ static void make_locus_points(maker *self, const clod_number *kind,
         for (size_t k = 0; k < locus->point_count; k++) {
             const clod_locus_mark *mark = &locus->marks[k];
             list.items[list.count++] =
-                (sample){mark->sigma, mark->prorated, error_of(mark, points, count)};
+                (sample){mark->sigma, mark->prorated, points[mark->index].tau_s_error};
         }
         clod_plan_samples_merge(&list, common->error);
         clod_plan_samples_make(self, kind, common, &list, 0.0);
@@ -103,8 +90,7 @@ static const char *list_preshears(const clod_locus_study *study, char *buffer, s
 
 /** Points, or the density, of the locus with the preshear stress of the test. */
 static void make_marks(maker *self, size_t test, const clod_number *kind,
-                       const clod_locus_study *study, const clod_locus_point *points,
-                       size_t count)
+                       const clod_locus_study *study, const clod_locus_point *points)
 {
     const double preshear = clod_case_shear(self->plan->tests[test].middle)->preshear_stress;
     clod_plan_target common;
@@ -117,7 +103,7 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
             continue;
         }
         if (kind->at_stress) {
-            make_locus_points(self, kind, &common, locus, points, count);
+            make_locus_points(self, kind, &common, locus, points);
         } else {
             make_density(self, kind, &common, locus, points);
         }
@@ -145,7 +131,7 @@ static bool make_locus(maker *self, size_t test, const clod_number *kind, clod_s
     clod_locus_study *study = clod_study_of_points(self->wish->locus, points, count, status);
     const bool good = study != NULL;
     if (good) {
-        make_marks(self, test, kind, study, points, count);
+        make_marks(self, test, kind, study, points);
     }
     clod_locus_study_destroy(&study);
     clod_locus_free(points);

@@ -71,3 +71,23 @@ static inline void lab_refuse_of(void **state, const char *from, const char *key
     }
     clod_plan_fini(&plan);
 }
+
+// ---- plans of one parameter, rolling friction
+
+#define UNIAXIAL "cases/copper-ore-uniaxial/case.yaml" // consolidated at 20 and 54.8 kPa
+#define ROLLING "contacts.default.rolling_friction"
+
+static inline void lab_load_good(void **state, const char *from, const char *target,
+                                 clod_plan *plan)
+{
+    clod_status status = {CLOD_OK, ""};
+    if (!lab_load(state, from, ROLLING, target, plan, &status)) {
+        fail_msg("%s", status.text);
+    }
+}
+
+static inline void lab_refuse(void **state, const char *from, const char *target,
+                              const char *words)
+{
+    lab_refuse_of(state, from, ROLLING, target, words);
+}

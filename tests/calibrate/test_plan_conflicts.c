@@ -5,22 +5,6 @@
 
 #include "plan_lab.h"
 
-#define UNIAXIAL "cases/copper-ore-uniaxial/case.yaml" // consolidated at 20 and 54.8 kPa
-#define ROLLING "contacts.default.rolling_friction"
-
-static void load_good(void **state, const char *from, const char *target, clod_plan *plan)
-{
-    clod_status status = {CLOD_OK, ""};
-    if (!lab_load(state, from, ROLLING, target, plan, &status)) {
-        fail_msg("%s", status.text);
-    }
-}
-
-static void refuse(void **state, const char *from, const char *target, const char *words)
-{
-    lab_refuse_of(state, from, ROLLING, target, words);
-}
-
 // 90/18 is 5. sqrt((0.2 18)^2 + (5.6 0.9)^2 + 3^2) = 6.88 kPa, and 5.6 18 - 90 = 10.8 kPa is 1.57 of them.
 static void ffc_beside_its_stresses(void **state)
 {
@@ -29,15 +13,15 @@ static void ffc_beside_its_stresses(void **state)
     "{test: lab, number: sigma_c, value: 18 kPa, error: 0.9 kPa}, "                            \
     "{test: lab, number: ffc, value: " number ", error: 0.2"
     clod_plan plan;
-    load_good(state, RING, FFC("5.6"), &plan);
+    lab_load_good(state, RING, FFC("5.6"), &plan);
     clod_plan_fini(&plan);
-    load_good(state, RING, FFC("4.4"), &plan);
+    lab_load_good(state, RING, FFC("4.4"), &plan);
     clod_plan_fini(&plan);
-    refuse(
+    lab_refuse(
         state, RING, FFC("6.2"),
         "test lab: ffc 6.2 in targets.2 is not sigma_1/sigma_c = 90 kPa/18 kPa, of sigma_1 in targets.0 and "
         "sigma_c in targets.1, by 3.0 standard errors: they contradict each other");
-    refuse(state, RING, FFC("3.8"), "by 3.7 standard errors");
+    lab_refuse(state, RING, FFC("3.8"), "by 3.7 standard errors");
 }
 
 // 54.8 kPa, known to 2 %, over 11 kPa is 4.98. 11 (6.5 - 4.98) = 16.7 kPa is 3.5 of
@@ -48,11 +32,11 @@ static void ffc_beside_the_strength_of_its_consolidation(void **state)
     "number: sigma_c, value: 11 kPa, error: 0.5 kPa, normal_stress: 54.8 kPa}, "               \
     "{test: lab, number: ffc, value: " ffc ", error: 0.3, normal_stress: " stress
     clod_plan plan;
-    load_good(state, UNIAXIAL, OF("5.2", "54.8 kPa"), &plan);
+    lab_load_good(state, UNIAXIAL, OF("5.2", "54.8 kPa"), &plan);
     clod_plan_fini(&plan);
-    load_good(state, UNIAXIAL, OF("6.5", "20 kPa"), &plan);
+    lab_load_good(state, UNIAXIAL, OF("6.5", "20 kPa"), &plan);
     clod_plan_fini(&plan);
-    refuse(
+    lab_refuse(
         state, UNIAXIAL, OF("6.5", "54.8 kPa"),
         "test lab: ffc 6.5 in targets.1 is not sigma_1/sigma_c = 54.8 kPa/11 kPa, of the consolidation stress "
         "and sigma_c in targets.0, by 3.5 standard errors");
@@ -67,11 +51,11 @@ static void bulk_density_above_that_of_the_grains(void **state)
     static const char *const WORDS =
         "test lab: rho_b 2500 kg/m3 in targets.0 is above the density of its grains, 2481 kg/m3, which no "
         "packing of them reaches";
-    refuse(state, RING, DENSE, WORDS);
-    load_good(state, RING, "number: rho_b, value: 2450 kg/m3, error: 15 kg/m3", &plan);
+    lab_refuse(state, RING, DENSE, WORDS);
+    lab_load_good(state, RING, "number: rho_b, value: 2450 kg/m3, error: 15 kg/m3", &plan);
     clod_plan_fini(&plan);
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n54.8,2500\n");
-    refuse(state, UNIAXIAL, "locus: lab.csv, error: 15 kg/m3", WORDS);
+    lab_refuse(state, UNIAXIAL, "locus: lab.csv, error: 15 kg/m3", WORDS);
 
     // grains that may be as dense as 2600 kg/m3
     assert_true(lab_load_range(state, RING, "materials.ore.density", "2400 kg/m3", "2600 kg/m3",

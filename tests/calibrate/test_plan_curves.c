@@ -7,33 +7,19 @@
 #include "calibrate/number.h"
 #include "plan_lab.h"
 
-#define UNIAXIAL "cases/copper-ore-uniaxial/case.yaml" // consolidated at 20 and 54.8 kPa
-#define ROLLING "contacts.default.rolling_friction"
 #define DENSITY_HEAD "sigma_1 [kPa],sigma_1_error [kPa],rho_b [kg/m3],rho_b_error [kg/m3]\n"
 #define FLOW_HEAD "sigma_1 [kPa],sigma_c [kPa],sigma_c_error [kPa]\n"
 #define FLOW FLOW_HEAD "110,22,1.1\n30,10,0.5\n60,16,0.8\n"
 #define SHEAR_HEAD                                                                             \
     "seed,sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
 
-static void load_good(void **state, const char *from, const char *target, clod_plan *plan)
-{
-    clod_status status = {CLOD_OK, ""};
-    if (!lab_load(state, from, ROLLING, target, plan, &status)) {
-        fail_msg("%s", status.text);
-    }
-}
-
-static void refuse(void **state, const char *from, const char *target, const char *words)
-{
-    lab_refuse_of(state, from, ROLLING, target, words);
-}
-
 // 50 kg/m3 over 34.8 kPa: an error of 3 kPa is one of 4.31 kg/m3, beside 5 that are stated, or the plan's 8.
 static void densities_of_a_uniaxial_test_are_targets(void **state)
 {
     clod_plan plan;
     lab_write_file(state, "lab.csv", DENSITY_HEAD "54.8,3,1250,5\n20,0,1200,\n");
-    load_good(state, UNIAXIAL, "locus: lab.csv, error: 8 kg/m3, discrepancy: 14 kg/m3", &plan);
+    lab_load_good(state, UNIAXIAL, "locus: lab.csv, error: 8 kg/m3, discrepancy: 14 kg/m3",
+                  &plan);
     assert_int_equal(plan.target_count, 2);
     lab_check_target(&plan.targets[0], "lab: rho_b at 20 kPa", 20e3, 1200.0, 8.0);
     lab_check_target(&plan.targets[1], "lab: rho_b at 54.8 kPa", 54.8e3, 1250.0,
@@ -48,7 +34,7 @@ static void flow_function_of_a_uniaxial_test_is_targets(void **state)
     lab_write_file(state, "lab.csv",
                    "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],rho_b [kg/m3],rho_b_error [kg/m3]\n"
                    "20,6,0.4,1200,9\n54.8,13,0.7,1250,10\n");
-    load_good(
+    lab_load_good(
         state, UNIAXIAL,
         "locus: lab.csv}, {test: lab, locus: lab.csv, number: rho_b, normal_stress: 54.8 kPa",
         &plan);
@@ -64,7 +50,7 @@ static void run_goes_along_the_table_to_the_row_of_the_plan(void **state)
 {
     clod_plan plan;
     lab_write_file(state, "lab.csv", FLOW);
-    load_good(state, RING, "locus: lab.csv, normal_stress: 110 kPa", &plan);
+    lab_load_good(state, RING, "locus: lab.csv, normal_stress: 110 kPa", &plan);
     assert_int_equal(plan.target_count, 1);
     const clod_plan_target *target = &plan.targets[0];
     lab_check_target(target, "lab: sigma_c at 110 kPa", 110e3, 22e3, 1.1e3);
@@ -80,7 +66,7 @@ static void single_row_has_no_slope(void **state)
 {
     clod_plan plan;
     lab_write_file(state, "lab.csv", FLOW_HEAD "110,22,1.1\n");
-    load_good(state, RING, "locus: lab.csv", &plan);
+    lab_load_good(state, RING, "locus: lab.csv", &plan);
     lab_check_target(&plan.targets[0], "lab: sigma_c at 110 kPa", 110e3, 22e3, 1.1e3);
     assert_true(clod_number_moved(&plan.targets[0], 18e3, 55e3) == 18e3);
     clod_plan_fini(&plan);
@@ -91,7 +77,7 @@ static void scatter_of_specimens_is_no_slope(void **state)
 {
     clod_plan plan;
     lab_write_file(state, "lab.csv", FLOW_HEAD "58,15,0.8\n62,17,0.8\n110,22,1.1\n");
-    load_good(state, RING, "locus: lab.csv, normal_stress: 62 kPa", &plan);
+    lab_load_good(state, RING, "locus: lab.csv, normal_stress: 62 kPa", &plan);
     lab_check_target(&plan.targets[0], "lab: sigma_c at 62 kPa", 62e3, 17e3, 0.8e3);
     assert_true(fabs(clod_number_moved(&plan.targets[0], 10e3, 52e3) - 11.2e3) < 1e-6);
     clod_plan_fini(&plan);
@@ -103,7 +89,7 @@ static void repeats_of_a_row_are_one_target(void **state)
 {
     clod_plan plan;
     lab_write_file(state, "lab.csv", FLOW_HEAD "59.85,15,0.8\n60.45,15,0.8\n110,22,1.1\n");
-    load_good(state, RING, "locus: lab.csv, normal_stress: 60 kPa", &plan);
+    lab_load_good(state, RING, "locus: lab.csv, normal_stress: 60 kPa", &plan);
     assert_int_equal(plan.target_count, 1);
     lab_check_target(&plan.targets[0], "lab: sigma_c at 60.15 kPa", 60.15e3, 15e3,
                      0.8e3 / sqrt(2.0));
@@ -119,7 +105,7 @@ static void density_of_shear_points_is_a_target(void **state)
                               "2,54.8,40,12,20,1310\n2,54.8,40,30,30,1310\n"
                               "3,54.8,40,12,20,1350\n3,54.8,40,30,30,1350\n"
                               "1,20,15,6,8,1100\n1,20,15,12,12,1100\n");
-    load_good(state, RING, "locus: lab.csv, number: rho_b, discrepancy: 14 kg/m3", &plan);
+    lab_load_good(state, RING, "locus: lab.csv, number: rho_b, discrepancy: 14 kg/m3", &plan);
     assert_int_equal(plan.target_count, 1);
     const clod_plan_target *target = &plan.targets[0];
     assert_string_equal(target->name, "lab: rho_b");
@@ -147,7 +133,7 @@ static void density_has_the_error_of_the_plan(void **state)
                  CASES[k].error);
         lab_write_file(state, "lab.csv", text);
         clod_plan plan;
-        load_good(state, RING, target, &plan);
+        lab_load_good(state, RING, target, &plan);
         assert_true(fabs(plan.targets[0].error - CASES[k].wanted / sqrt(2.0)) < 1e-9);
         clod_plan_fini(&plan);
     }
@@ -163,10 +149,11 @@ static void a_long_table_is_listed_in_part(void **state)
                                  100.0 * pow(1.05, k));
     }
     lab_write_file(state, "lab.csv", text);
-    refuse(state, RING, "locus: lab.csv",
-           "needs the key normal_stress, the sigma_1 of the row that belongs to the preshear "
-           "stress of test lab; the table has 100, 105, 110.25, ");
-    refuse(state, RING, "locus: lab.csv", ", ... kPa");
+    lab_refuse(
+        state, RING, "locus: lab.csv",
+        "needs the key normal_stress, the sigma_1 of the row that belongs to the preshear "
+        "stress of test lab; the table has 100, 105, 110.25, ");
+    lab_refuse(state, RING, "locus: lab.csv", " more kPa");
 }
 
 // ---- numbers of runs
@@ -183,12 +170,13 @@ static void shear_test_is_read_at_the_stress_of_the_table(void **state)
     lab_write_file(state, "points.csv",
                    "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
                    "54.8,37.4,12,16\n54.8,37.4,30,25\n");
-    load_good(state, RING,
-              "number: sigma_1, value: 90 kPa, error: 1 kPa}, "
-              "{test: lab, number: sigma_c, value: 20 kPa, error: 5 kPa}, "
-              "{test: lab, number: tau, normal_stress: 20 kPa, value: 20 kPa, error: 5 kPa}, "
-              "{test: lab, locus: lab.csv, normal_stress: 110 kPa",
-              &plan);
+    lab_load_good(
+        state, RING,
+        "number: sigma_1, value: 90 kPa, error: 1 kPa}, "
+        "{test: lab, number: sigma_c, value: 20 kPa, error: 5 kPa}, "
+        "{test: lab, number: tau, normal_stress: 20 kPa, value: 20 kPa, error: 5 kPa}, "
+        "{test: lab, locus: lab.csv, normal_stress: 110 kPa",
+        &plan);
     double values[4];
     temp_path(folder, state, "");
     assert_true(clod_number_read(&plan, 0, folder, values, &status));
@@ -215,7 +203,7 @@ static void uniaxial_test_is_read_at_the_stress_of_the_table(void **state)
         "\"sigma_c_Pa\": 5000, \"bulk_density_kg_m3\": 1100}, "
         "{\"consolidation_stress_Pa\": 54800, \"sigma_1_Pa\": 50000, "
         "\"sigma_c_Pa\": 11000, \"bulk_density_kg_m3\": 1210}]}");
-    load_good(
+    lab_load_good(
         state, UNIAXIAL,
         "locus: lab.csv, error: 1 kPa}, "
         "{test: lab, locus: lab.csv, number: rho_b, error: 9 kg/m3}, "
@@ -238,46 +226,47 @@ static void uniaxial_test_is_read_at_the_stress_of_the_table(void **state)
 static void rows_that_a_shear_test_cannot_choose_are_refused(void **state)
 {
     lab_write_file(state, "lab.csv", FLOW);
-    refuse(
+    lab_refuse(
         state, RING, "locus: lab.csv",
         "targets.0: needs the key normal_stress, the sigma_1 of the row that belongs to the preshear stress of "
         "test lab; the table has 30, 60, 110 kPa");
-    refuse(
+    lab_refuse(
         state, RING, "locus: lab.csv, normal_stress: 90 kPa",
         "targets.0.normal_stress: 90 kPa: the table has no such sigma_1; it has 30, 60, 110 kPa");
-    refuse(state, RING, "locus: lab.csv, number: rho_b, error: 9 kg/m3, normal_stress: 60 kPa",
-           "targets.0.number: rho_b: the table has no column with values of it");
-    refuse(
+    lab_refuse(state, RING,
+               "locus: lab.csv, number: rho_b, error: 9 kg/m3, normal_stress: 60 kPa",
+               "targets.0.number: rho_b: the table has no column with values of it");
+    lab_refuse(
         state, RING, "locus: lab.csv, number: phi_e, error: 1 deg, normal_stress: 60 kPa",
         "phi_e is none of a flow function (sigma_1, sigma_c); of such a table it is sigma_c or rho_b");
-    refuse(state, UNIAXIAL, "locus: lab.csv",
-           "targets.0.locus: 30 kPa is not among the consolidation_stresses of test lab");
+    lab_refuse(state, UNIAXIAL, "locus: lab.csv",
+               "targets.0.locus: 30 kPa is not among the consolidation_stresses of test lab");
 }
 
 static void columns_that_are_wrong_are_told(void **state)
 {
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rhob [kg/m3]\n20,1200\n54.8,1250\n");
-    refuse(
+    lab_refuse(
         state, UNIAXIAL, "locus: lab.csv",
         "there is no column \"rhob\"; did you mean rho_b? Known are sigma_1, sigma_c (or f_c),");
     lab_write_file(state, "lab.csv", "sigma1 [kPa],rho_b [kg/m3]\n20,1200\n54.8,1250\n");
-    refuse(
+    lab_refuse(
         state, RING, "locus: lab.csv",
         "targets.0.locus: has none of the columns sigma_sh, sigma_w and sigma_1 in its header, and "
         "of tables test lab takes shear points (sigma_sh, tau_sh), bulk densities (sigma_1, rho_b), a flow "
         "function (sigma_1, sigma_c)");
     lab_write_file(state, "lab.csv", SHEAR_HEAD "1,54.8,40,12,20,1300\n1,54.8,40,30,30,1300\n");
-    refuse(
+    lab_refuse(
         state, UNIAXIAL, "locus: lab.csv",
         "has sigma_sh or tau_sh in its header, as shear points (sigma_sh, tau_sh), and of tables test lab "
         "takes bulk densities");
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kPa]\n20,1200\n54.8,1250\n");
-    refuse(state, UNIAXIAL, "locus: lab.csv", "column rho_b [kPa]:");
+    lab_refuse(state, UNIAXIAL, "locus: lab.csv", "column rho_b [kPa]:");
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n20,1.2\n54.8,1.25\n");
-    refuse(state, UNIAXIAL, "locus: lab.csv", "rho_b: 1.2 kg/m3");
+    lab_refuse(state, UNIAXIAL, "locus: lab.csv", "rho_b: 1.2 kg/m3");
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n20,1200\n54.8,1250\n");
-    refuse(state, UNIAXIAL, "locus: lab.csv",
-           "needs the key error: the table has no rho_b_error at 20 kPa");
+    lab_refuse(state, UNIAXIAL, "locus: lab.csv",
+               "needs the key error: the table has no rho_b_error at 20 kPa");
     lab_refuse_of(
         state, "tests/cli/wall_friction.yaml", "contacts.ore-plate.friction", "locus: lab.csv",
         "targets.0.locus: has sigma_1 in its header, as bulk densities (sigma_1, rho_b), and of tables "
@@ -285,11 +274,11 @@ static void columns_that_are_wrong_are_told(void **state)
     lab_refuse_of(state, "tests/calibrate/bounce.yaml", "contacts.default.restitution",
                   "locus: lab.csv", "and of tables test lab takes none; give number and value");
     lab_write_file(state, "lab.csv", SHEAR_HEAD "1,54.8,40,12,20,\n1,54.8,40,30,30,\n");
-    refuse(state, RING, "locus: lab.csv, number: rho_b, error: 9 kg/m3",
-           "targets.0.locus: has no rho_b at the preshear stress of test lab");
+    lab_refuse(state, RING, "locus: lab.csv, number: rho_b, error: 9 kg/m3",
+               "targets.0.locus: has no rho_b at the preshear stress of test lab");
     lab_write_file(state, "lab.csv", SHEAR_HEAD "1,54.8,40,12,20,1300\n1,54.8,40,30,30,1300\n");
-    refuse(state, RING, "locus: lab.csv, number: rho_b",
-           "needs the key error: the table has no rho_b_error");
+    lab_refuse(state, RING, "locus: lab.csv, number: rho_b",
+               "needs the key error: the table has no rho_b_error");
 }
 
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
