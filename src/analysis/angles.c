@@ -3,8 +3,8 @@
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "output/file.h"
 #include "output/folder_names.h"
 
 #define DEGREES (180.0 / 3.14159265358979323846)
@@ -12,18 +12,22 @@
     320 ///< bytes for files and lines, so that messages around them keep their reason
 #define MORE ", ..."
 
-/** Whether a table is a measured one: not points.csv of a results folder. */
-static bool is_measured(const char *path)
+/** Find whether a table is a measured one: not points.csv of a results folder. */
+static bool find_measured(const char *path, bool *measured, clod_status *status)
 {
     const char *slash = strrchr(path, '/');
     const char *name = slash != NULL ? slash + 1 : path;
     const int folder = (int)(name - path);
     char lock[PATH_MAX + sizeof CLOD_FOLDER_LOCK];
+    *measured = true;
     if (strcmp(name, "points.csv") != 0 || folder >= PATH_MAX) {
         return true;
     }
     snprintf(lock, sizeof lock, "%.*s%s", folder, path, CLOD_FOLDER_LOCK);
-    return access(lock, F_OK) != 0;
+    bool of_run;
+    const bool good = clod_file_is_there(lock, &of_run, status);
+    *measured = !of_run;
+    return good;
 }
 
 static size_t source_of(const clod_angles_source *sources, size_t count, size_t index)
@@ -104,7 +108,12 @@ bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *po
         for (size_t s = 0; s < group->seed_count; s++) {
             char places[PLACES];
             const size_t first = group->seeds[s].marks[0].index;
-            if (!is_measured(sources[source_of(sources, source_count, first)].path)) {
+            const char *path = sources[source_of(sources, source_count, first)].path;
+            bool measured;
+            if (!find_measured(path, &measured, status)) {
+                return false;
+            }
+            if (!measured) {
                 continue;
             }
             list_places(&group->seeds[s], points, sources, source_count, places);

@@ -24,7 +24,7 @@ typedef struct clod_angles_source {
  *
  * @param study    of `points`
  * @param sources  [source_count] at least one; the last ends with the points
- * Errors  CLOD_USAGE with file, lines, preshear stress, value, range and what to look at.
+ * Errors  CLOD_USAGE with file, lines, preshear stress, value, range and what to look at; CLOD_FAILED: a folder cannot be looked at.
  * Threads pure.   Test  tests/analysis/test_angles.c
  */
 bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *points,

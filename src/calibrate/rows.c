@@ -16,6 +16,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "clod/version.h"
+#include "output/file.h"
 #include "output/folder_files.h"
 #include "output/folder_names.h"
 
@@ -70,7 +71,11 @@ bool clod_rows_read(const clod_runs *runs, size_t row, clod_runs_row *to, clod_s
 {
     char path[PATH_MAX];
     clod_runs_path(runs, row, ".json", path);
-    if (access(path, F_OK) != 0) {
+    bool there;
+    if (!clod_file_is_there(path, &there, status)) {
+        return false;
+    }
+    if (!there) {
         return true;
     }
     char *text;

@@ -11,6 +11,12 @@
 
 #include "base/memory.h"
 
+bool clod_file_is_there(const char *path, bool *there, clod_status *status)
+{
+    *there = access(path, F_OK) == 0;
+    return *there || errno == ENOENT || clod_file_fail(status, "look at", path, errno);
+}
+
 bool clod_file_is_full(int error)
 {
     return error == ENOSPC || error == EDQUOT || error == EFBIG;

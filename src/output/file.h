@@ -58,6 +58,9 @@ int clod_file_load(int folder, const char *name, void **bytes, size_t *size);
 /** The same, with a text when it does not succeed. */
 bool clod_file_read(const char *path, void **bytes, size_t *size, clod_status *status);
 
+/** Whether something is there; false with status when that cannot be told. */
+bool clod_file_is_there(const char *path, bool *there, clod_status *status);
+
 /** Whether an errno value says that there is no room: a full disk, a quota, a size limit. */
 bool clod_file_is_full(int error);
 

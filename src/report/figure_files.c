@@ -98,12 +98,13 @@ static bool is_clods(const char *path, const char *name, bool *there)
     return clods;
 }
 
-/** Whether the page is that of a results folder, whose figures have names of their own. */
-static bool has_names(const place *self)
+/** Find whether the page is that of a results folder, whose figures have names of their own. */
+static bool find_names(const place *self, bool *names, clod_status *status)
 {
     char lock[PATH + sizeof CLOD_FOLDER_LOCK];
     snprintf(lock, sizeof lock, "%s%s", self->folder, CLOD_FOLDER_LOCK);
-    return strcmp(self->stem, "report") == 0 && access(lock, F_OK) == 0;
+    *names = false;
+    return strcmp(self->stem, "report") != 0 || clod_file_is_there(lock, names, status);
 }
 
 static void name_file(const place *self, const char *figure, char path[2 * PATH + 192])
@@ -115,7 +116,11 @@ bool clod_figure_files_check(const char *page, const clod_figure_file *files, si
                              clod_status *status)
 {
     const place self = place_of(page);
-    for (size_t k = 0; k < count && !has_names(&self); k++) {
+    bool names;
+    if (!find_names(&self, &names, status)) {
+        return false;
+    }
+    for (size_t k = 0; k < count && !names; k++) {
         char path[2 * PATH + 192];
         bool there;
         name_file(&self, files[k].name, path);
