@@ -45,10 +45,10 @@ const char *clod_number_hint(const clod_plan_test *of, const char *key, char *bu
 }
 
 bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, double *values,
-                      clod_status *status)
+                      double *stresses, clod_status *status)
 {
     return clod_test_kinds_of(plan->tests[test].middle)
-        ->read(plan, test, folder, values, status);
+        ->read(plan, test, folder, values, stresses, status);
 }
 
 double clod_number_moved(const clod_plan_target *target, double value, double sigma_1)

@@ -62,11 +62,13 @@ const char *clod_number_hint(const clod_plan_test *of, const char *key, char *bu
 /**
  * The numbers of all targets of a test in the results folder of a finished run.
  *
- * @param values  [out] [targets] SI; NAN where the test does not define one; those of other tests stay
+ * @param values    [out] [targets] SI; NAN where the test does not define one; those of other tests stay
+ * @param stresses  [out] [targets] sigma_1 of the run, Pa, where the number goes along a table from there to
+ *                  the target's stress; others stay; or NULL
  * Errors  CLOD_USAGE: a file that is damaged; CLOD_FAILED: disk, memory.   Threads  safe.   Test  tests/calibrate/test_calibrate.py
  */
 bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, double *values,
-                      clod_status *status);
+                      double *stresses, clod_status *status);
 
 /**
  * A number of a run as it would be at the stress of a target: moved along the measured curve by as much
@@ -89,8 +91,8 @@ double clod_number_path_read(const json_t *summary, const clod_number *self,
 
 /** The same of a shear test, from its points (number_shear.c). */
 bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *folder,
-                            double *values, clod_status *status);
+                            double *values, double *stresses, clod_status *status);
 
 /** The same of a test whose numbers are in its summary (number_summary.c). */
 bool clod_number_read_summary(const clod_plan *plan, size_t test, const char *folder,
-                              double *values, clod_status *status);
+                              double *values, double *stresses, clod_status *status);

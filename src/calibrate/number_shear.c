@@ -42,7 +42,7 @@ static double of_locus(const clod_locus *locus, const clod_plan_target *target)
 }
 
 bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *folder,
-                            double *values, clod_status *status)
+                            double *values, double *stresses, clod_status *status)
 {
     char path[PATH_MAX];
     snprintf(path, sizeof path, "%s/points.csv", folder);
@@ -51,8 +51,13 @@ bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *fold
         return false;
     }
     for (size_t t = 0; t < plan->target_count; t++) {
-        if (plan->targets[t].test == test) {
-            values[t] = of_locus(&study->groups[0].locus, &plan->targets[t]);
+        if (plan->targets[t].test != test) {
+            continue;
+        }
+        const clod_locus *locus = &study->groups[0].locus;
+        values[t] = of_locus(locus, &plan->targets[t]);
+        if (stresses != NULL && plan->targets[t].curve != NULL) {
+            stresses[t] = locus->sigma_1.value;
         }
     }
     clod_locus_study_destroy(&study);

@@ -29,13 +29,18 @@ static double of_rows(const json_t *rows, const char *stress_key, const char *ke
 
 // ---- uniaxial tests
 
+static double of_consolidation(const json_t *summary, const char *key,
+                               const clod_plan_target *target)
+{
+    return of_rows(json_object_get(summary, "flow_function"), "consolidation_stress_Pa", key,
+                   target);
+}
+
 static double of_flow_function(const json_t *summary, const clod_number *self,
                                const clod_plan_target *target)
 {
-    const json_t *rows = json_object_get(summary, "flow_function");
-    const double value = of_rows(rows, "consolidation_stress_Pa", self->field, target);
-    return clod_number_moved(target, value,
-                             of_rows(rows, "consolidation_stress_Pa", "sigma_1_Pa", target));
+    return clod_number_moved(target, of_consolidation(summary, self->field, target),
+                             of_consolidation(summary, "sigma_1_Pa", target));
 }
 
 const clod_number CLOD_NUMBERS_UNIAXIAL[CLOD_NUMBERS_UNIAXIAL_COUNT] = {
@@ -100,7 +105,7 @@ const clod_number CLOD_NUMBERS_WALL[CLOD_NUMBERS_WALL_COUNT] = {
 // ---- all of them
 
 bool clod_number_read_summary(const clod_plan *plan, size_t test, const char *folder,
-                              double *values, clod_status *status)
+                              double *values, double *stresses, clod_status *status)
 {
     json_t *summary = clod_json_read(folder, "summary.json", status);
     for (size_t t = 0; t < plan->target_count && summary != NULL; t++) {
@@ -111,6 +116,9 @@ bool clod_number_read_summary(const clod_plan *plan, size_t test, const char *fo
         const clod_number *kind = clod_number_find(&plan->tests[test], target->number);
         values[t] = kind->of != NULL ? kind->of(summary, kind, target)
                                      : clod_number_path_read(summary, kind, target);
+        if (stresses != NULL && target->curve != NULL) { // of uniaxial tests alone
+            stresses[t] = of_consolidation(summary, "sigma_1_Pa", target);
+        }
     }
     const bool good = summary != NULL;
     json_decref(summary);

@@ -164,6 +164,7 @@ void clod_result_warn(clod_result *self)
                               failed, clod_plural((double)failed), failed == 1 ? "is" : "are");
     }
     clod_runs_warn(self->runs, &self->warnings);
+    clod_runs_warn_outside(self->runs, &self->warnings);
     for (size_t k = 0; k < self->plan->warnings.count; k++) {
         clod_warning_list_add(&self->warnings, "%s", self->plan->warnings.text[k]);
     }

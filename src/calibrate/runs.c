@@ -126,7 +126,7 @@ static bool read_numbers(const clod_runs *self, size_t packing, double *results,
         char folder[PATH_MAX];
         clod_runs_path(self, row, "", folder);
         if (self->rows[row].state == CLOD_RUNS_DONE &&
-            !clod_number_read(plan, test, folder, results, status)) {
+            !clod_number_read(plan, test, folder, results, NULL, status)) {
             return fail_damaged(folder, status);
         }
     }

@@ -96,6 +96,15 @@ int64_t clod_runs_seed(const clod_plan *plan, size_t row);
  */
 void clod_runs_warn(const clod_runs *self, clod_warning_list *to);
 
+/**
+ * Warn of targets whose runs are consolidated so much more or less than the measured table reaches that
+ * they were compared by an extrapolation of it.
+ *
+ * @param to  [in, out] one warning for each such target is added
+ * Errors  none: what cannot be read has been told.   Threads  safe.   Test  tests/calibrate/test_runs_outside.c
+ */
+void clod_runs_warn_outside(const clod_runs *self, clod_warning_list *to);
+
 /** All rows as CSV, units in the header; owned (clod_memory_free), NULL without memory. */
 char *clod_runs_csv(const clod_runs *self, size_t points, const double *places,
                     const double *results);

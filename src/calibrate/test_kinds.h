@@ -24,7 +24,7 @@ typedef struct clod_test_kind {
 
     /** Values of all targets of a test; as clod_number_read. */
     bool (*read)(const clod_plan *plan, size_t test, const char *folder, double *values,
-                 clod_status *status);
+                 double *stresses, clod_status *status);
 
     /** Of measured points, ended by NULL where there are fewer. */
     const struct clod_plan_table *tables[CLOD_PLAN_TABLES];
