@@ -1,7 +1,7 @@
 """docs/howto/from-lab-report-to-outlet.md, as a new user follows it: its cheap commands, with what they print.
 
-The shear test and the rusty chutes are repeated in test_lab_to_outlet_slow.py. The calibration is not: the card that it found is put in its
-place.
+The calibrations, the shear test and the rusty chutes are repeated in test_lab_to_outlet_slow.py. Here the card that the first one found is put in
+its place.
 """
 
 import os
@@ -16,8 +16,10 @@ import page
 
 PAGE = "docs/howto/from-lab-report-to-outlet.md"
 CARD = clod.source("cases/lab-to-outlet/card.yaml")
-SLOW = [["clod", "run", "ring.yaml"], ["clod", "run", "chute.yaml", "-o", "run/rust-35"], ["clod", "run", "chute.yaml", "-o", "run/rust-45"]]
-DEAR = [*SLOW, ["clod", "calibrate", "plan.yaml", "-o"], ["clod", "report"], ["clod", "picture"],
+SLOW = [["clod", "calibrate", "plan.yaml", "-o"], ["clod", "run", "ring.yaml"], ["clod", "run", "chute.yaml", "-o", "run/rust-35"],
+        ["clod", "run", "chute.yaml", "-o", "run/rust-45"], ["clod", "calibrate", "plan-wall.yaml", "-o"],
+        ["clod", "run", "chute.yaml", "-o", "run/card-35"]]
+DEAR = [*SLOW, ["clod", "report"], ["clod", "picture"],
         *([["clod", "run"]] if clod.SANITIZED else [])]
 
 
@@ -31,7 +33,7 @@ class Page(page.Case):
         done = 0
         for command, text in page.steps(PAGE):
             words = shlex.split(command)
-            if words[:2] == ["clod", "calibrate"] and "-o" in words:
+            if words[:4] == ["clod", "calibrate", "plan.yaml", "-o"]:
                 os.makedirs(self.path("run/fines"))
                 shutil.copy(CARD, self.path("run/fines"))
             if not is_dear(words):

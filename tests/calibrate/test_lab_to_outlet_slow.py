@@ -1,4 +1,5 @@
-"""The shear test and the rusty chutes of docs/howto/from-lab-report-to-outlet.md, a minute of processor time, with what they print."""
+"""The calibrations, the shear test and the rusty chutes of docs/howto/from-lab-report-to-outlet.md, with what they print: some six
+minutes of processor time."""
 
 import os
 import re
