@@ -95,7 +95,10 @@ static const template TEMPLATES[] = {
      {{"dry.yaml", CLOD_TEMPLATE_TRANSFER_CHUTE_DRY},
       {"chute.yaml", CLOD_TEMPLATE_TRANSFER_CHUTE_LAYOUT},
       {"chute.obj", CLOD_TEMPLATE_TRANSFER_CHUTE_MESH},
-      {"geometry", CLOD_TEMPLATE_TRANSFER_CHUTE_GEOMETRY}}},
+      {"geometry", CLOD_TEMPLATE_TRANSFER_CHUTE_GEOMETRY},
+      {"chute.py", CLOD_TEMPLATE_TRANSFER_CHUTE_CHUTE},
+      {"mesh.py", CLOD_TEMPLATE_TRANSFER_CHUTE_MESH_PY},
+      {"belts.py", CLOD_TEMPLATE_TRANSFER_CHUTE_BELTS}}},
 };
 
 #define TEMPLATE_COUNT (sizeof TEMPLATES / sizeof TEMPLATES[0])

@@ -16,7 +16,8 @@ foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5/case.yaml" "JENIKE=copper-ore-je
     "LAB_TO_OUTLET_PLAN_WALL=lab-to-outlet/plan-wall.yaml" "LAB_TO_OUTLET_WALL_CASE=lab-to-outlet/wall.yaml"
     "TRANSFER_CHUTE=transfer-chute/case.yaml" "TRANSFER_CHUTE_DRY=transfer-chute/dry.yaml"
     "TRANSFER_CHUTE_LAYOUT=transfer-chute/chute.yaml" "TRANSFER_CHUTE_MESH=transfer-chute/chute.obj"
-    "TRANSFER_CHUTE_GEOMETRY=transfer-chute/geometry")
+    "TRANSFER_CHUTE_GEOMETRY=transfer-chute/geometry" "TRANSFER_CHUTE_CHUTE=transfer-chute/chute.py"
+    "TRANSFER_CHUTE_MESH_PY=transfer-chute/mesh.py" "TRANSFER_CHUTE_BELTS=transfer-chute/belts.py")
   string(REPLACE "=" ";" entry ${entry})
   list(GET entry 0 name)
   list(GET entry 1 file)

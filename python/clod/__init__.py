@@ -12,9 +12,11 @@
 SI units throughout. docs/python.md tells the rest.
 """
 
-from ._library import CONTACT_UNITS, Error, Simulation, Wall
+from ._library import CONTACT_UNITS, Error
 from ._ranks import Ranks, on_ranks, ranks
 from ._results import Results, results
+from ._simulation import Simulation
+from ._wall import Wall
 
 __all__ = ["CONTACT_UNITS", "Error", "Ranks", "Results", "Simulation", "Wall", "on_ranks", "ranks",
            "results"]

@@ -62,7 +62,7 @@ struct clod_csv {
  * @param text    [length]
  * @return        false: nothing is owned
  * Errors  CLOD_USAGE with file:line, column, value and what to do; CLOD_FAILED: memory.
- * Threads safe.   Test  tests/analysis/test_points.c, tests/hopper/test_hopper.py
+ * Threads safe.   Test  tests/analysis/test_points.c, tests/hopper/test_refusals.py
  */
 bool clod_csv_parse(clod_csv *self, const char *text, size_t length);
 

@@ -18,5 +18,5 @@ typedef enum clod_file_kind {
 } clod_file_kind;
 
 /** Whether a file may be of the kind that a verb wants, which is no card; false after saying which it is of,
- *  and who reads it.   Test  tests/hopper/test_hopper.py */
+ *  and who reads it.   Test  tests/hopper/test_refusals.py */
 bool clod_file_kind_check(clod_loader *loader, clod_file_kind wanted);

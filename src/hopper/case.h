@@ -71,7 +71,7 @@ typedef struct clod_hopper_case {
  * @param overrides  [override_count] texts key.path=value
  * @param self       [out] owned content (clod_hopper_case_fini), also after an error
  * Errors  CLOD_USAGE with file, line, caret, value, allowed range and what to do; CLOD_FAILED:
- *         memory.   Threads  safe.   Test  tests/hopper/test_hopper.py
+ *         memory.   Threads  safe.   Test  tests/hopper/test_hopper.py, test_refusals.py
  */
 bool clod_hopper_case_load(const char *path, const char *const *overrides,
                            size_t override_count, clod_hopper_case *self, clod_status *status);

@@ -11,7 +11,7 @@
  * Refuse what cannot be.
  *
  * Errors  CLOD_USAGE: a property is missing, two points at one stress, phi_e below phi_t.
- * Threads  pure.   Test  tests/hopper/test_hopper.py
+ * Threads  pure.   Test  tests/hopper/test_refusals.py
  */
 bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clod_solid *solid,
                        clod_status *status);

@@ -20,7 +20,7 @@ typedef struct clod_loci_row {
  * @param notes  [in, out]
  * Errors  CLOD_USAGE: as clod_locus_read, clod_locus_study_create and clod_angles_check, and no
  *         strength, or no phi_e.
- * Threads safe.   Test  tests/hopper/test_hopper.py
+ * Threads safe.   Test  tests/hopper/test_measured.py, test_refusals.py
  */
 bool clod_loci_read(const clod_hopper_case *of, void **rows, size_t *count,
                     clod_tables_notes *notes, clod_status *status);

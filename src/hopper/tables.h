@@ -20,7 +20,7 @@ typedef struct clod_tables_notes {
  * @param solid        [out] owned points (clod_tables_fini), also after an error
  * @param notes        [in, out]
  * Errors  CLOD_USAGE with file, line, column, value and what to do; CLOD_FAILED: memory.
- * Threads safe.   Test  tests/hopper/test_hopper.py
+ * Threads safe.   Test  tests/hopper/test_measured.py, test_refusals.py
  */
 bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status);

@@ -235,14 +235,24 @@ class Cases(clod.Case):
             self.assertTrue(done.stdout.endswith(f"chute.obj has {facets} facets\n"), done.stdout)
 
     def test_the_chute_is_a_template(self):
-        """clod new writes the case, the dry one, and all that they include, as they are in cases/."""
+        """clod new writes the case, the dry one, all that they include, and the script that lays it out, as they are in cases/."""
         self.assertEqual(clod.run("new", "transfer-chute", cwd=self.folder).returncode, 0)
         names = {"transfer-chute.yaml": "case.yaml", "dry.yaml": "dry.yaml", "chute.yaml": "chute.yaml",
-                 "chute.obj": "chute.obj", "geometry": "geometry"}
+                 "chute.obj": "chute.obj", "geometry": "geometry", "chute.py": "chute.py", "mesh.py": "mesh.py",
+                 "belts.py": "belts.py"}
         self.assertEqual(sorted(os.listdir(self.folder)), sorted(names))
         for name, kept in names.items():
             self.assertTrue(clod.read(self.path(name)) == clod.read(os.path.join(CASES, "transfer-chute", kept)), name)
             self.assertEqual(os.access(self.path(name), os.X_OK), name == "geometry", name)
+        # the script needs only what lies beside it, and writes nothing but the layout
+        os.mkdir(self.path("made"))
+        user = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+        subprocess.run([sys.executable, self.path("geometry"), "--output", "made"], cwd=self.folder, check=True,
+                       stdout=subprocess.DEVNULL, env=user)
+        self.assertEqual(sorted(os.listdir(self.folder)), sorted([*names, "made"]))
+        self.assertEqual(sorted(os.listdir(self.path("made"))), ["chute.obj", "chute.yaml"])
+        for name in os.listdir(self.path("made")):
+            self.assertTrue(clod.read(self.path("made/" + name)) == clod.read(os.path.join(CASES, "transfer-chute", name)), name)
         told = clod.run("new").stdout
         help_text = clod.run("new", "--help").stdout
         for line in told.splitlines():

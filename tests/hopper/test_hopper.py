@@ -1,4 +1,4 @@
-"""clod hopper as a user meets it: template, files, determinism, shear tests, refusals."""
+"""clod hopper as a user meets it: template, files, same bytes, and whether a hopper flows."""
 
 import json
 import math
@@ -7,45 +7,12 @@ import re
 import sys
 import xml.etree.ElementTree
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
-import clod
-
-QUICK = ["--set", "interval.samples=100"]
-FLOW = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3]\n"
-ROWS = "2,1.4,0.05,48,40,1250\n4,1.9,0.05,47,40,1300\n8,2.9,0.08,46,39,1350\n"
-CASE = """flow_function: {file: flow.csv}
-wall_friction: {angle: 20 deg, error: 1 deg}
-"""
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import hopper_case
+from hopper_case import CASE, QUICK, clod
 
 
-class Hopper(clod.Case):
-
-    def write(self, name, text):
-        with open(self.path(name), "w") as file:
-            file.write(text)
-
-    def hopper(self, *arguments, code=0):
-        done = clod.run("hopper", *arguments, *QUICK, cwd=self.folder)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def found(self, *arguments):
-        return json.loads(self.hopper("case.yaml", "--json", *arguments).stdout)
-
-    def refuse(self, case, words, rows=ROWS, head=FLOW, more=()):
-        """The case is refused with exit status 2 and these words."""
-        self.write("case.yaml", case)
-        self.write("flow.csv", head + rows)
-        done = self.hopper("case.yaml", *more, code=2)
-        self.assertEqual(done.stdout, "")
-        for word in words:
-            self.assertIn(word, done.stderr)
-
-    def start(self, case=CASE, rows=ROWS):
-        self.write("case.yaml", case)
-        self.write("flow.csv", FLOW + rows)
-
-    # ---- what comes out
+class Hopper(hopper_case.Case):
 
     def test_template_runs_and_writes_its_files(self):
         self.assertEqual(clod.run("new", "hopper", cwd=self.folder).returncode, 0)
@@ -145,6 +112,19 @@ class Hopper(clod.Case):
             for s, f, p, r in ((2, 1.4, 48, 1250), (4, 1.9, 47, 1300), (8, 2.9, 46, 1350))))
         self.assertAlmostEqual(self.found()["cone"]["outlet_m"]["value"], first, delta=1e-7 * first)
 
+    def test_what_was_said_in_place_of_the_case_is_kept(self):
+        self.start()
+        found = self.found("--set", "margin=2 deg")
+        self.assertEqual(found["overrides"], ["margin=2 deg", QUICK[1]])
+        self.assertRegex(found["version"], r"^clod \d")
+
+    def test_a_title_with_control_characters_makes_a_good_picture(self):
+        self.start('title: "Ore\\x01 \\e[1m<A> & B"\n' + CASE)
+        self.hopper("case.yaml", "-o", "design")
+        root = xml.etree.ElementTree.parse(self.path("design.svg")).getroot()
+        self.assertEqual(next(root.iter("{http://www.w3.org/2000/svg}text")).text,
+                         "Ore [1m<A> & B")
+
     def test_smaller_outlets_arch_and_larger_do_not(self):
         self.start()
         critical = self.found()["cone"]["outlet_m"]["value"]
@@ -171,17 +151,6 @@ class Hopper(clod.Case):
         self.start(CASE, "2,3.0,0,45,40,1250\n8,9.0,0,45,40,1350\n")
         self.assertIn("cannot flow by gravity", " ".join(self.hopper("case.yaml").stdout.split()))
         self.assertEqual(self.found()["cone"]["outlet_m"]["value"], "infinite")
-
-    def test_strengths_that_no_tester_gives_are_warned_of(self):
-        def warned():
-            return " ".join(self.hopper("case.yaml").stdout.split())
-
-        self.start(CASE, "2,3.0,0,45,40,1250\n8,4.0,0,45,40,1350\n")
-        self.assertIn("Flow function: f_c is 3 kPa at sigma_1 2 kPa", warned())
-        self.write("flow.csv", FLOW + "2,1.4,0,48,40,1250\n8,2.9,0,46,40,1350\n")
-        self.assertNotIn("Flow function:", warned())
-        self.write("flow.csv", FLOW.replace("kPa", "Pa") + "2,1.4,0,48,40,1250\n8,2.9,0,46,40,1350\n")
-        self.assertIn("all its sigma_1 are below 100 Pa", warned())
 
     def test_rough_walls_are_funnel_flow_with_a_rathole(self):
         self.start(CASE.replace("angle: 20 deg", "angle: 46 deg"))
@@ -230,317 +199,6 @@ class Hopper(clod.Case):
                              rf"mass flow in a cone, [0-9.]+ deg, by less than the margin of 3\.0 deg\.{more} - ")
             told = self.hopper("case.yaml", "--set", f"{shape}.half_angle={limit - 6} deg").stdout
             self.assertNotIn("by less than the margin", " ".join(told.split()))
-
-    def test_where_the_spread_comes_from(self):
-        """The share of a measurement is the variance that is there with its errors alone, over that with all of
-        them: other runs, other samples. 400 samples tell a variance to 7 % (sqrt(2/n)), so a share to 0.1."""
-        head = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3],rho_b_error [kg/m3]\n"
-        rows = [[2, 1.4, 0.05, 48, 40, 1250, 50], [4, 1.9, 0.05, 47, 40, 1300, 50], [8, 2.9, 0.08, 46, 39, 1350, 50]]
-        samples = ("--set", "interval.samples=400")
-
-        def outlets(strength, wall, density):
-            self.write("case.yaml", CASE if wall else CASE.replace(", error: 1 deg", ""))
-            self.write("flow.csv", head + "".join(
-                ",".join(map(str, (a, b, c if strength else 0, d, e, f, g if density else 0))) + "\n"
-                for a, b, c, d, e, f, g in rows))
-            done = clod.run("hopper", "case.yaml", "--json", *samples, cwd=self.folder)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            return json.loads(done.stdout)
-
-        def variance(found, shape):
-            """From the 10 % and 90 % quantiles, as of a normal distribution."""
-            of = found[shape]["outlet_percentiles_m"]
-            self.assertEqual(of, sorted(of))
-            return ((of[90] - of[10]) / 2.5631) ** 2
-
-        every = outlets(True, True, True)
-        alone = {"flow_function": outlets(True, False, False), "wall": outlets(False, True, False),
-                 "rho_b": outlets(False, False, True)}
-        for shape in ("cone", "wedge"):
-            shares = every[shape]["outlet_variance_shares"]
-            self.assertEqual(sorted(shares), ["flow_function", "phi_e", "rho_b", "wall"])
-            self.assertEqual(shares["phi_e"], 0.0)  # it has no errors
-            self.assertAlmostEqual(sum(shares.values()), 1.0, delta=0.1)
-            for name, found in alone.items():
-                self.assertAlmostEqual(shares[name], variance(found, shape) / variance(every, shape), delta=0.1, msg=name)
-                self.assertGreater(found[shape]["outlet_variance_shares"][name], 0.98)
-            low, high = every[shape]["outlet_m"]["low"], every[shape]["outlet_m"]["high"]
-            self.assertEqual((low, high), tuple(every[shape]["outlet_percentiles_m"][at] for at in (5, 95)))
-
-    def test_what_was_said_in_place_of_the_case_is_kept(self):
-        self.start()
-        found = self.found("--set", "margin=2 deg")
-        self.assertEqual(found["overrides"], ["margin=2 deg", QUICK[1]])
-        self.assertRegex(found["version"], r"^clod \d")
-
-    def test_what_is_not_known_is_not_printed(self):
-        """No state "there" without a critical outlet: 46 deg of the wall are not 90, and samples that have
-        one do not make an interval of a number without a value."""
-        self.start(CASE.replace("angle: 20 deg, error: 1 deg", "angle: 46 deg, error: 8 deg"))
-        told = self.hopper("case.yaml").stdout
-        for name in ("flow factor ff", "critical sigma_1", "phi_e there", "wall friction angle there",
-                     "bulk density there", r"H\(theta\)"):
-            self.assertEqual(len(re.findall(name + r" +- +- +- *(?:deg|kPa|kg/m3)?\n", told)), 2, (name, told))
-        self.assertEqual(len(re.findall(r"half angle +none ", told)), 2)
-        cone = self.found()["cone"]
-        self.assertGreater(cone["sample_shares"]["flows"], 0.05)
-        self.assertEqual(cone["phi_w_deg"], {"value": None, "low": None, "high": None})
-        self.start(CASE, "2,0.1,0,45,40,1250\n8,0.4,0,45,40,1350\n")  # no arch at any outlet
-        cone = self.found()["cone"]
-        for key in ("phi_e_deg", "phi_w_deg", "rho_b_kg_m3"):
-            self.assertIsNone(cone[key]["value"])
-        self.assertIsNotNone(cone["flow_factor"]["value"])
-
-    def test_ratholes_where_jenikes_function_is_not_known(self):
-        """G is known from 30 to 70 deg. phi_t of 29 +- 4 deg has no rathole, and no interval of those samples
-        that have; 31 +- 4 deg has one, and what its interval is from is said: P(normal < -0.25) = 40 %."""
-        head = FLOW.replace("phi_t [deg]", "phi_t [deg],phi_t_error [deg]")
-        more = CASE + "silo: {diameter: 3 m, height: 8 m}\n"
-        self.start(more)
-        self.write("flow.csv", head + "2,1.4,0.05,48,29,4,1250\n8,2.9,0.08,46,29,4,1350\n")
-        told = self.hopper("case.yaml").stdout
-        self.assertRegex(told, r"diameter, emptying \(least\) +- +- +- +mm\n")
-        self.assertRegex(told, r"diameter, after filling \(most\) +- +- +- +mm\n")
-        words = " ".join(told.split())
-        for when in ("emptying", "after filling"):
-            self.assertIn(f"No rathole diameter, {when}: Jenike's function G is known from 30 to 70 deg, and the "
-                          "static angle of internal friction is 29.0 deg.", words)
-        self.write("case.yaml", more + "static_friction: {angle: 31 deg, error: 4 deg}\n")
-        told = " ".join(self.hopper("case.yaml").stdout.split())
-        shares = self.found()["rathole"]["known_shares"]
-        for when, key in (("emptying", "emptying"), ("after filling", "filling")):
-            self.assertAlmostEqual(shares[key], 0.6, delta=0.15)  # of 100 samples: 3 x 0.049
-            self.assertIn(f"Rathole, {when}: in {100 * (1 - shares[key]):.1f} % of the samples the static angle of "
-                          "internal friction is outside 30 to 70 deg", told)
-
-    def test_intervals_without_errors_are_the_value(self):
-        """To the last printed digit, at an outlet that is nearly infinite."""
-        self.start(CASE.replace(", error: 1 deg", ""), "2,2.5,0,48,40,1250\n8,6.85,0,46,40,1350\n")
-        told = self.hopper("case.yaml").stdout
-        rows = re.findall(r"^  [a-z].*?  +([0-9.]+) +([0-9.]+) +([0-9.]+)(?:  \S+)?$", told, re.MULTILINE)
-        self.assertGreater(len(rows), 15)
-        for value, low, high in rows:
-            self.assertEqual((low, high), (value, value), told)
-
-    def test_extrapolation_is_said(self):
-        self.start(CASE, "20,4.2,0,45,40,1250\n40,7.2,0,45,40,1350\n")
-        self.assertIn("outside what was measured, 20.000 to 40.000 kPa: an extrapolation",
-                      " ".join(self.hopper("case.yaml").stdout.split()))
-
-    def test_shear_tests_are_evaluated_as_by_locus(self):
-        """Points, a results folder, and what clod locus --csv prints of all: the same design."""
-        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
-        low = "".join(f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 2.0, 3.0))
-        high = "".join(f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5))
-        self.write("low.csv", head + low)
-        os.mkdir(self.path("run"))
-        self.write("run/points.csv", head + high)
-        self.write("case.yaml", "flow_function: {shear_tests: [{points: low.csv}, {points: run}]}\n"
-                   "wall_friction: {angle: 18 deg}\n")
-        found = self.found()
-        self.assertEqual(len(found["measured"]["flow_function"]), 2)
-        self.assertGreater(len(found["measured"]["phi_t"]), 1)
-        self.assertEqual(found["cone"]["outcome"], "flows")
-        self.write("all.csv", head + low + high)
-        loci = clod.run("locus", "all.csv", "--csv", cwd=self.folder).stdout
-        self.write("loci.csv", loci)
-        self.write("case.yaml", "flow_function: {file: loci.csv}\n"
-                   "wall_friction: {angle: 18 deg}\n")
-        table = self.found()
-        for key in ("outlet_m", "half_angle_deg", "flow_factor"):
-            self.assertAlmostEqual(table["cone"][key]["value"], found["cone"][key]["value"],
-                                   delta=1e-6 * found["cone"][key]["value"])
-
-    def test_warnings_of_yield_loci_are_handed_on(self):
-        """Two points make a line without a scatter; clod locus says so, and so does the hopper."""
-        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
-        self.write("low.csv", head + "".join(
-            f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 3.0)))
-        self.write("high.csv", head + "".join(
-            f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5)))
-        self.write("case.yaml", "flow_function: {shear_tests: [{points: low.csv}, "
-                   "{points: high.csv}]}\nwall_friction: {angle: 18 deg}\n")
-        locus = json.loads(clod.run("locus", "low.csv", "--json", cwd=self.folder).stdout)
-        said = locus["loci"][0]["warnings"]
-        self.assertTrue(any("two points" in text for text in said), said)
-        found = self.found()["warnings"]
-        for text in said:
-            self.assertIn("Yield locus at a preshear stress of 4.000 kPa: " + text, found)
-
-    def test_a_wall_of_several_specimens(self):
-        """Three specimens of one friction angle, whose side walls carried more or less: the angle
-        has no interval. Those of other friction have that of their mean: tan 0.20, 0.22, 0.24."""
-        rows = [(seed, stress, stress * part, stress * part * 0.2) for seed, part in
-                ((1, 0.96), (2, 0.91), (3, 0.87)) for stress in (20, 10, 5)]
-        head = "seed,wall_stress [kPa],sigma_w [kPa],tau_w [kPa],steady [1]\n"
-        wall = head + "".join(f"{a},{b},{c},{d},1\n" for a, b, c, d in rows)
-        self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))
-        self.write("wall.csv", wall)
-        cone = self.found("--set", "interval.samples=1000")["cone"]["phi_w_deg"]
-        for end in ("value", "low", "high"):
-            self.assertAlmostEqual(cone[end], math.degrees(math.atan(0.2)), places=4)
-        self.write("wall.csv", head + "".join(
-            f"{a},{b},{c},{d * (0.9 + 0.1 * a)},1\n" for a, b, c, d in rows))
-        cone = self.found("--set", "interval.samples=1000")["cone"]["phi_w_deg"]
-        tangents = [math.tan(math.radians(cone[end])) for end in ("low", "value", "high")]
-        error = 0.02 / math.sqrt(3)
-        for got, sign in zip(tangents, (-1, 0, 1)):
-            self.assertAlmostEqual(got, 0.22 + sign * 1.645 * error, delta=0.3 * error)
-
-    def test_a_run_that_is_not_finished(self):
-        """Its folder has no table yet."""
-        os.mkdir(self.path("run"))
-        self.refuse(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: run}"),
-                    ["run: the folder has no wall_friction.csv: its run is not finished"])
-        self.refuse("flow_function: {shear_tests: [{points: run}]}\nwall_friction: {angle: 20 deg}\n",
-                    ["run: the folder has no points.csv: its run is not finished"])
-
-    def test_warnings_of_a_wall_yield_locus_are_handed_on(self):
-        """clod locus and the hopper say the same of a bent one that was not steady."""
-        self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))
-        self.write("wall.csv", "sigma_w [kPa],tau_w [kPa],steady [1]\n"
-                   "1,0.7,0\n2,0.6,0\n4,2.4,0\n8,2.6,1\n")
-        said = json.loads(clod.run("locus", "wall.csv", "--json", cwd=self.folder).stdout)
-        self.assertEqual(len(said["warnings"]), 2, said["warnings"])
-        found = self.found()["warnings"]
-        for text in [*said["warnings"], f"errors of {said['errors_note']}."]:
-            self.assertIn("Wall yield locus: " + text, found)
-
-    def test_a_title_with_control_characters_makes_a_good_picture(self):
-        self.start('title: "Ore\\x01 \\e[1m<A> & B"\n' + CASE)
-        self.hopper("case.yaml", "-o", "design")
-        root = xml.etree.ElementTree.parse(self.path("design.svg")).getroot()
-        self.assertEqual(next(root.iter("{http://www.w3.org/2000/svg}text")).text,
-                         "Ore [1m<A> & B")
-
-    # ---- what is refused
-
-    def test_cases_with_mistakes(self):
-        bad = CASE.replace("angle: 20 deg", "angle: 20")
-        self.refuse(bad, ["case.yaml:2:24: wall_friction.angle", "deg", "^"])
-        self.refuse(CASE.replace("20 deg", "95 deg"), ["is out of range", "85 deg"])
-        self.refuse(CASE + "marign: 2 deg\n", ["marign", "did you mean margin?"])
-        self.refuse("wall_friction: {angle: 20 deg}\n", ["needs the key flow_function"])
-        self.refuse("flow_function: {curve: line}\nwall_friction: {angle: 20 deg}\n",
-                    ["case.yaml:1:1: flow_function", "needs file"])
-        self.refuse("flow_function: {file: flow.csv}\nwall_friction: {error: 1 deg}\n",
-                    ["case.yaml:2:1: wall_friction", "needs file or angle"])
-        self.refuse(CASE.replace("angle:", "file: w.csv, angle:"),
-                    ["has file and angle; keep one of them"])
-        self.refuse(CASE, ["margin", "is out of range"], more=["--set", "margin=40 deg"])
-        self.refuse("", ["is empty; clod new hopper writes an example"])
-        self.refuse("- a\n", ["must be a section with keys"])
-
-    def test_a_case_for_another_verb(self):
-        clod.run("new", "hopper", cwd=self.folder)
-        clod.run("new", "free-run", cwd=self.folder)
-        done = self.hopper("free-run.yaml", code=2)
-        self.assertIn("free-run.yaml:3:1: is a simulation's case, not a hopper's case; clod run",
-                      done.stderr)
-        self.assertNotIn("not known", done.stderr)
-        self.write("card.yaml", "contacts:\n  default: {k_adh: 1e6 N/m^1.5}\n")
-        self.write("plan.yaml", "tests: {}\ntargets: []\n")
-        said = {"hopper.yaml": "is a hopper's case, not a simulation's case; clod hopper reads it",
-                "plan.yaml": "is the plan of a calibration, not a simulation's case; clod calibrate",
-                "card.yaml": "is a material card, not a simulation's case; a simulation's case takes "
-                             "it in with include: FILE"}
-        for verb in ("run", "check", "contact"):
-            for name, text in said.items():
-                done = clod.run(verb, name, cwd=self.folder)
-                self.assertEqual(done.returncode, 2)
-                self.assertIn(text, done.stderr)
-                self.assertNotIn("not known", done.stderr)
-        for name in ("plan.yaml", "card.yaml"):
-            self.assertIn(said[name].replace("a simulation's case", "a hopper's case", 1),
-                          self.hopper(name, code=2).stderr)
-        done = clod.run("calibrate", "hopper.yaml", cwd=self.folder)
-        if "without GSL" not in done.stderr:
-            self.assertEqual(done.returncode, 2)
-            self.assertIn("is a hopper's case, not the plan of a calibration", done.stderr)
-
-    def test_shear_points_without_preshear(self):
-        """Only clod locus has options for it."""
-        tests = "flow_function: {shear_tests: [{points: p.csv}]}\nwall_friction: {angle: 18 deg}\n"
-        self.write("p.csv", "sigma_sh [kPa],tau_sh [kPa]\n1,1.4\n2,2.1\n")
-        self.refuse(tests, ["p.csv:1: the header has no column sigma_pre; add it."])
-        self.write("p.csv", "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
-                   "4,,1,1.4\n")
-        self.refuse(tests, ['p.csv:2: column tau_pre: "" is empty; fill it in.'])
-        self.assertNotIn("--tau-pre", self.hopper("case.yaml", code=2).stderr)
-
-    def test_yield_loci_that_no_solid_has(self):
-        """A falling one and one whose sigma_2 is tension say so, not that a column is missing. By hand, of the
-        second: tau = 9 + 0.577 sigma, and the circle through the preshear point (4, 11) that touches it."""
-        tests = "flow_function: {shear_tests: [{points: p.csv}, {points: q.csv}]}\nwall_friction: {angle: 18 deg}\n"
-        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
-        for cohesion, slope, tau_pre, words in (
-                (3.0, -0.5, 1.5, ["p.csv:2, 3, 4: the yield locus at a preshear stress of 4.000 kPa has phi_lin = -26.57 deg; "
-                                  "it must be 1 to 80 deg.", "Have sigma_sh and tau_sh been exchanged"]),
-                (9.0, 0.577, 11.0, ["phi_e is undefined in every yield locus, since sigma_2 is tension (-",
-                                    "at a preshear stress of 4.000 kPa)", "give the key effective_friction."])):
-            for name, times in (("p.csv", 1), ("q.csv", 2)):
-                self.write(name, head + "".join(
-                    f"{4 * times},{times * tau_pre},{times * s},{times * (cohesion + slope * s)},1300\n"
-                    for s in (1.0, 2.0, 3.0)))
-            self.refuse(tests, words)
-            self.assertNotIn("neither the key", self.hopper("case.yaml", code=2).stderr)
-
-    def test_shear_stresses_in_another_unit(self):
-        """Of a results folder and a file, the second has tau_sh in Pa with kPa above it: by hand atan(0.00073)."""
-        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [{}],rho_b [kg/m3]\n"
-        os.mkdir(self.path("run"))
-        self.write("run/points.csv", head.format("kPa") + "".join(
-            f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 2.0, 3.0)))
-        self.write("high.csv", "# laboratory\n" + head.format("Pa") + "".join(
-            f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5)))
-        self.refuse("flow_function: {shear_tests: [{points: run}, {points: high.csv}]}\nwall_friction: {angle: 18 deg}\n",
-                    ["high.csv:3, 4, 5: the yield locus at a preshear stress of 10.000 kPa has "
-                     "phi_lin = 0.04 deg; it must be 1 to 80 deg."])
-
-    def test_tables_with_mistakes(self):
-        self.refuse(CASE, ["flow.csv:1: the header has no column f_c", "sigma_1 [kPa],f_c"],
-                    head=FLOW.replace("f_c [kPa],", "", 1))
-        self.refuse(CASE, ['flow.csv:1: there is no column "sigma1"', "sigma_1"],
-                    head=FLOW.replace("sigma_1", "sigma1"))
-        self.refuse(CASE, ["flow.csv:1: column f_c has no unit"],
-                    head=FLOW.replace("f_c [kPa]", "f_c"))
-        self.refuse(CASE, ["flow.csv:1: column phi_e [kPa]", "an angle"],
-                    head=FLOW.replace("phi_e [deg]", "phi_e [kPa]"))
-        self.refuse(CASE, ['flow.csv:2: column phi_e: "95" must be below 90'],
-                    rows=ROWS.replace("48", "95"))
-        self.refuse(CASE, ['flow.csv:2: column f_c: "-1.4" must be 0 or more'],
-                    rows=ROWS.replace("1.4", "-1.4", 1))
-        self.refuse(CASE, ["flow.csv:3: 5 cells, but the header has 6 columns"],
-                    rows=ROWS.replace("1300", "").replace("40,\n4", "40\n4").replace(
-                        "47,40,", "47,40"))
-        self.refuse(CASE, ["flow.csv:2: column rho_b: 1.21 kg/m3 is outside 10 to 15000 kg/m3",
-                           "[g/cm3]?"], rows="2,1.4,0,48,40,1.21\n8,2.9,0,46,39,1.3\n")
-        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n2,1210\n8,1.3\n")
-        self.refuse(CASE + "bulk_density: {file: rho.csv}\n",
-                    ["rho.csv:3: column rho_b: 1.3 kg/m3 is outside", "[g/cm3]?"])
-        self.refuse(CASE + "bulk_density: {value: 1.21 kg/m3}\n",
-                    ["bulk_density.value", "is out of range", "10"])
-        self.refuse(CASE.replace("flow.csv", "none.csv"), ["none.csv", "No such file"])
-
-    def test_measurements_that_cannot_be(self):
-        self.refuse(CASE, ["static angle of internal friction", "above the effective one",
-                           "interchanged?"], rows="2,1.4,0,40,48,1250\n8,2.9,0,39,46,1350\n")
-        self.refuse(CASE, ["make no flow function"], rows="2,1.4,0,48,40,1250\n")
-        self.refuse(CASE, ["phi_e is not known", "effective_friction"],
-                    head="sigma_1 [kPa],f_c [kPa],rho_b [kg/m3]\n",
-                    rows="2,1.4,1250\n8,2.9,1300\n")
-        self.refuse(CASE, ["rho_b is not known", "bulk_density"],
-                    head="sigma_1 [kPa],f_c [kPa],phi_e [deg]\n", rows="2,1.4,48\n8,2.9,47\n")
-        self.refuse(CASE.replace("flow.csv", "flow.csv, curve: points"),
-                    ["two points at nearly the same stress", "curve: line"],
-                    rows="2,1.4,0,48,40,1250\n2.01,1.5,0,48,40,1250\n8,2.9,0,46,40,1350\n")
-
-    def test_the_command_line(self):
-        self.assertIn("which case?", self.hopper(code=2).stderr)
-        self.start()
-        self.assertIn("one case at a time", self.hopper("case.yaml", "case.yaml", code=2).stderr)
-        self.assertIn("none.yaml", self.hopper("none.yaml", code=2).stderr)
-        self.assertEqual(self.hopper("case.yaml", "-o", "no/folder", code=1).returncode, 1)
 
 
 if __name__ == "__main__":

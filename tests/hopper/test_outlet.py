@@ -5,11 +5,9 @@ import os
 import re
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
-import clod
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from hopper_case import FLOW, ROWS, clod
 
-FLOW = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3]\n"
-ROWS = "2,1.4,0.05,48,40,1250\n4,1.9,0.05,47,40,1300\n8,2.9,0.08,46,39,1350\n"
 SMOOTH = "wall_friction: {angle: 20 deg, error: 1 deg}\n"
 ADHESIVE = "wall_friction: {file: wall.csv}\n"  # tau_w = 0.3 kPa + 0.3 sigma_w: sticks at small stresses
 KINDS = ("below the critical one", "inside the interval", "do not flow through", "arches, as every outlet does")

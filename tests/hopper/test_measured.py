@@ -1,0 +1,190 @@
+"""What clod hopper makes of what was measured: flow functions, shear tests, wall friction, and the spread of their errors."""
+
+import json
+import math
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import hopper_case
+from hopper_case import CASE, FLOW, clod
+
+
+class Measured(hopper_case.Case):
+
+    def test_strengths_that_no_tester_gives_are_warned_of(self):
+        def warned():
+            return " ".join(self.hopper("case.yaml").stdout.split())
+
+        self.start(CASE, "2,3.0,0,45,40,1250\n8,4.0,0,45,40,1350\n")
+        self.assertIn("Flow function: f_c is 3 kPa at sigma_1 2 kPa", warned())
+        self.write("flow.csv", FLOW + "2,1.4,0,48,40,1250\n8,2.9,0,46,40,1350\n")
+        self.assertNotIn("Flow function:", warned())
+        self.write("flow.csv", FLOW.replace("kPa", "Pa") + "2,1.4,0,48,40,1250\n8,2.9,0,46,40,1350\n")
+        self.assertIn("all its sigma_1 are below 100 Pa", warned())
+
+    def test_extrapolation_is_said(self):
+        self.start(CASE, "20,4.2,0,45,40,1250\n40,7.2,0,45,40,1350\n")
+        self.assertIn("outside what was measured, 20.000 to 40.000 kPa: an extrapolation",
+                      " ".join(self.hopper("case.yaml").stdout.split()))
+
+    def test_shear_tests_are_evaluated_as_by_locus(self):
+        """Points, a results folder, and what clod locus --csv prints of all: the same design."""
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        low = "".join(f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 2.0, 3.0))
+        high = "".join(f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5))
+        self.write("low.csv", head + low)
+        os.mkdir(self.path("run"))
+        self.write("run/points.csv", head + high)
+        self.write("case.yaml", "flow_function: {shear_tests: [{points: low.csv}, {points: run}]}\n"
+                   "wall_friction: {angle: 18 deg}\n")
+        found = self.found()
+        self.assertEqual(len(found["measured"]["flow_function"]), 2)
+        self.assertGreater(len(found["measured"]["phi_t"]), 1)
+        self.assertEqual(found["cone"]["outcome"], "flows")
+        self.write("all.csv", head + low + high)
+        loci = clod.run("locus", "all.csv", "--csv", cwd=self.folder).stdout
+        self.write("loci.csv", loci)
+        self.write("case.yaml", "flow_function: {file: loci.csv}\n"
+                   "wall_friction: {angle: 18 deg}\n")
+        table = self.found()
+        for key in ("outlet_m", "half_angle_deg", "flow_factor"):
+            self.assertAlmostEqual(table["cone"][key]["value"], found["cone"][key]["value"],
+                                   delta=1e-6 * found["cone"][key]["value"])
+
+    def test_warnings_of_yield_loci_are_handed_on(self):
+        """Two points make a line without a scatter; clod locus says so, and so does the hopper."""
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        self.write("low.csv", head + "".join(
+            f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 3.0)))
+        self.write("high.csv", head + "".join(
+            f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5)))
+        self.write("case.yaml", "flow_function: {shear_tests: [{points: low.csv}, "
+                   "{points: high.csv}]}\nwall_friction: {angle: 18 deg}\n")
+        locus = json.loads(clod.run("locus", "low.csv", "--json", cwd=self.folder).stdout)
+        said = locus["loci"][0]["warnings"]
+        self.assertTrue(any("two points" in text for text in said), said)
+        found = self.found()["warnings"]
+        for text in said:
+            self.assertIn("Yield locus at a preshear stress of 4.000 kPa: " + text, found)
+
+    def test_a_wall_of_several_specimens(self):
+        """Three specimens of one friction angle, whose side walls carried more or less: the angle
+        has no interval. Those of other friction have that of their mean: tan 0.20, 0.22, 0.24."""
+        rows = [(seed, stress, stress * part, stress * part * 0.2) for seed, part in
+                ((1, 0.96), (2, 0.91), (3, 0.87)) for stress in (20, 10, 5)]
+        head = "seed,wall_stress [kPa],sigma_w [kPa],tau_w [kPa],steady [1]\n"
+        wall = head + "".join(f"{a},{b},{c},{d},1\n" for a, b, c, d in rows)
+        self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))
+        self.write("wall.csv", wall)
+        cone = self.found("--set", "interval.samples=1000")["cone"]["phi_w_deg"]
+        for end in ("value", "low", "high"):
+            self.assertAlmostEqual(cone[end], math.degrees(math.atan(0.2)), places=4)
+        self.write("wall.csv", head + "".join(
+            f"{a},{b},{c},{d * (0.9 + 0.1 * a)},1\n" for a, b, c, d in rows))
+        cone = self.found("--set", "interval.samples=1000")["cone"]["phi_w_deg"]
+        tangents = [math.tan(math.radians(cone[end])) for end in ("low", "value", "high")]
+        error = 0.02 / math.sqrt(3)
+        for got, sign in zip(tangents, (-1, 0, 1)):
+            self.assertAlmostEqual(got, 0.22 + sign * 1.645 * error, delta=0.3 * error)
+
+    def test_warnings_of_a_wall_yield_locus_are_handed_on(self):
+        """clod locus and the hopper say the same of a bent one that was not steady."""
+        self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))
+        self.write("wall.csv", "sigma_w [kPa],tau_w [kPa],steady [1]\n"
+                   "1,0.7,0\n2,0.6,0\n4,2.4,0\n8,2.6,1\n")
+        said = json.loads(clod.run("locus", "wall.csv", "--json", cwd=self.folder).stdout)
+        self.assertEqual(len(said["warnings"]), 2, said["warnings"])
+        found = self.found()["warnings"]
+        for text in [*said["warnings"], f"errors of {said['errors_note']}."]:
+            self.assertIn("Wall yield locus: " + text, found)
+
+    def test_where_the_spread_comes_from(self):
+        """The share of a measurement is the variance that is there with its errors alone, over that with all of
+        them: other runs, other samples. 400 samples tell a variance to 7 % (sqrt(2/n)), so a share to 0.1."""
+        head = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3],rho_b_error [kg/m3]\n"
+        rows = [[2, 1.4, 0.05, 48, 40, 1250, 50], [4, 1.9, 0.05, 47, 40, 1300, 50], [8, 2.9, 0.08, 46, 39, 1350, 50]]
+        samples = ("--set", "interval.samples=400")
+
+        def outlets(strength, wall, density):
+            self.write("case.yaml", CASE if wall else CASE.replace(", error: 1 deg", ""))
+            self.write("flow.csv", head + "".join(
+                ",".join(map(str, (a, b, c if strength else 0, d, e, f, g if density else 0))) + "\n"
+                for a, b, c, d, e, f, g in rows))
+            done = clod.run("hopper", "case.yaml", "--json", *samples, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads(done.stdout)
+
+        def variance(found, shape):
+            """From the 10 % and 90 % quantiles, as of a normal distribution."""
+            of = found[shape]["outlet_percentiles_m"]
+            self.assertEqual(of, sorted(of))
+            return ((of[90] - of[10]) / 2.5631) ** 2
+
+        every = outlets(True, True, True)
+        alone = {"flow_function": outlets(True, False, False), "wall": outlets(False, True, False),
+                 "rho_b": outlets(False, False, True)}
+        for shape in ("cone", "wedge"):
+            shares = every[shape]["outlet_variance_shares"]
+            self.assertEqual(sorted(shares), ["flow_function", "phi_e", "rho_b", "wall"])
+            self.assertEqual(shares["phi_e"], 0.0)  # it has no errors
+            self.assertAlmostEqual(sum(shares.values()), 1.0, delta=0.1)
+            for name, found in alone.items():
+                self.assertAlmostEqual(shares[name], variance(found, shape) / variance(every, shape), delta=0.1, msg=name)
+                self.assertGreater(found[shape]["outlet_variance_shares"][name], 0.98)
+            low, high = every[shape]["outlet_m"]["low"], every[shape]["outlet_m"]["high"]
+            self.assertEqual((low, high), tuple(every[shape]["outlet_percentiles_m"][at] for at in (5, 95)))
+
+    def test_what_is_not_known_is_not_printed(self):
+        """No state "there" without a critical outlet: 46 deg of the wall are not 90, and samples that have
+        one do not make an interval of a number without a value."""
+        self.start(CASE.replace("angle: 20 deg, error: 1 deg", "angle: 46 deg, error: 8 deg"))
+        told = self.hopper("case.yaml").stdout
+        for name in ("flow factor ff", "critical sigma_1", "phi_e there", "wall friction angle there",
+                     "bulk density there", r"H\(theta\)"):
+            self.assertEqual(len(re.findall(name + r" +- +- +- *(?:deg|kPa|kg/m3)?\n", told)), 2, (name, told))
+        self.assertEqual(len(re.findall(r"half angle +none ", told)), 2)
+        cone = self.found()["cone"]
+        self.assertGreater(cone["sample_shares"]["flows"], 0.05)
+        self.assertEqual(cone["phi_w_deg"], {"value": None, "low": None, "high": None})
+        self.start(CASE, "2,0.1,0,45,40,1250\n8,0.4,0,45,40,1350\n")  # no arch at any outlet
+        cone = self.found()["cone"]
+        for key in ("phi_e_deg", "phi_w_deg", "rho_b_kg_m3"):
+            self.assertIsNone(cone[key]["value"])
+        self.assertIsNotNone(cone["flow_factor"]["value"])
+
+    def test_ratholes_where_jenikes_function_is_not_known(self):
+        """G is known from 30 to 70 deg. phi_t of 29 +- 4 deg has no rathole, and no interval of those samples
+        that have; 31 +- 4 deg has one, and what its interval is from is said: P(normal < -0.25) = 40 %."""
+        head = FLOW.replace("phi_t [deg]", "phi_t [deg],phi_t_error [deg]")
+        more = CASE + "silo: {diameter: 3 m, height: 8 m}\n"
+        self.start(more)
+        self.write("flow.csv", head + "2,1.4,0.05,48,29,4,1250\n8,2.9,0.08,46,29,4,1350\n")
+        told = self.hopper("case.yaml").stdout
+        self.assertRegex(told, r"diameter, emptying \(least\) +- +- +- +mm\n")
+        self.assertRegex(told, r"diameter, after filling \(most\) +- +- +- +mm\n")
+        words = " ".join(told.split())
+        for when in ("emptying", "after filling"):
+            self.assertIn(f"No rathole diameter, {when}: Jenike's function G is known from 30 to 70 deg, and the "
+                          "static angle of internal friction is 29.0 deg.", words)
+        self.write("case.yaml", more + "static_friction: {angle: 31 deg, error: 4 deg}\n")
+        told = " ".join(self.hopper("case.yaml").stdout.split())
+        shares = self.found()["rathole"]["known_shares"]
+        for when, key in (("emptying", "emptying"), ("after filling", "filling")):
+            self.assertAlmostEqual(shares[key], 0.6, delta=0.15)  # of 100 samples: 3 x 0.049
+            self.assertIn(f"Rathole, {when}: in {100 * (1 - shares[key]):.1f} % of the samples the static angle of "
+                          "internal friction is outside 30 to 70 deg", told)
+
+    def test_intervals_without_errors_are_the_value(self):
+        """To the last printed digit, at an outlet that is nearly infinite."""
+        self.start(CASE.replace(", error: 1 deg", ""), "2,2.5,0,48,40,1250\n8,6.85,0,46,40,1350\n")
+        told = self.hopper("case.yaml").stdout
+        rows = re.findall(r"^  [a-z].*?  +([0-9.]+) +([0-9.]+) +([0-9.]+)(?:  \S+)?$", told, re.MULTILINE)
+        self.assertGreater(len(rows), 15)
+        for value, low, high in rows:
+            self.assertEqual((low, high), (value, value), told)
+
+
+if __name__ == "__main__":
+    clod.unittest.main()

@@ -1,0 +1,150 @@
+"""What clod hopper refuses: cases, tables, shear tests, measurements that cannot be, and the command line."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import hopper_case
+from hopper_case import CASE, FLOW, ROWS, clod
+
+
+class Refusals(hopper_case.Case):
+
+    def test_cases_with_mistakes(self):
+        bad = CASE.replace("angle: 20 deg", "angle: 20")
+        self.refuse(bad, ["case.yaml:2:24: wall_friction.angle", "deg", "^"])
+        self.refuse(CASE.replace("20 deg", "95 deg"), ["is out of range", "85 deg"])
+        self.refuse(CASE + "marign: 2 deg\n", ["marign", "did you mean margin?"])
+        self.refuse("wall_friction: {angle: 20 deg}\n", ["needs the key flow_function"])
+        self.refuse("flow_function: {curve: line}\nwall_friction: {angle: 20 deg}\n",
+                    ["case.yaml:1:1: flow_function", "needs file"])
+        self.refuse("flow_function: {file: flow.csv}\nwall_friction: {error: 1 deg}\n",
+                    ["case.yaml:2:1: wall_friction", "needs file or angle"])
+        self.refuse(CASE.replace("angle:", "file: w.csv, angle:"),
+                    ["has file and angle; keep one of them"])
+        self.refuse(CASE, ["margin", "is out of range"], more=["--set", "margin=40 deg"])
+        self.refuse("", ["is empty; clod new hopper writes an example"])
+        self.refuse("- a\n", ["must be a section with keys"])
+
+    def test_a_case_for_another_verb(self):
+        clod.run("new", "hopper", cwd=self.folder)
+        clod.run("new", "free-run", cwd=self.folder)
+        done = self.hopper("free-run.yaml", code=2)
+        self.assertIn("free-run.yaml:3:1: is a simulation's case, not a hopper's case; clod run",
+                      done.stderr)
+        self.assertNotIn("not known", done.stderr)
+        self.write("card.yaml", "contacts:\n  default: {k_adh: 1e6 N/m^1.5}\n")
+        self.write("plan.yaml", "tests: {}\ntargets: []\n")
+        said = {"hopper.yaml": "is a hopper's case, not a simulation's case; clod hopper reads it",
+                "plan.yaml": "is the plan of a calibration, not a simulation's case; clod calibrate",
+                "card.yaml": "is a material card, not a simulation's case; a simulation's case takes "
+                             "it in with include: FILE"}
+        for verb in ("run", "check", "contact"):
+            for name, text in said.items():
+                done = clod.run(verb, name, cwd=self.folder)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(text, done.stderr)
+                self.assertNotIn("not known", done.stderr)
+        for name in ("plan.yaml", "card.yaml"):
+            self.assertIn(said[name].replace("a simulation's case", "a hopper's case", 1),
+                          self.hopper(name, code=2).stderr)
+        done = clod.run("calibrate", "hopper.yaml", cwd=self.folder)
+        if "without GSL" not in done.stderr:
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("is a hopper's case, not the plan of a calibration", done.stderr)
+
+    def test_a_run_that_is_not_finished(self):
+        """Its folder has no table yet."""
+        os.mkdir(self.path("run"))
+        self.refuse(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: run}"),
+                    ["run: the folder has no wall_friction.csv: its run is not finished"])
+        self.refuse("flow_function: {shear_tests: [{points: run}]}\nwall_friction: {angle: 20 deg}\n",
+                    ["run: the folder has no points.csv: its run is not finished"])
+
+    def test_shear_points_without_preshear(self):
+        """Only clod locus has options for it."""
+        tests = "flow_function: {shear_tests: [{points: p.csv}]}\nwall_friction: {angle: 18 deg}\n"
+        self.write("p.csv", "sigma_sh [kPa],tau_sh [kPa]\n1,1.4\n2,2.1\n")
+        self.refuse(tests, ["p.csv:1: the header has no column sigma_pre; add it."])
+        self.write("p.csv", "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
+                   "4,,1,1.4\n")
+        self.refuse(tests, ['p.csv:2: column tau_pre: "" is empty; fill it in.'])
+        self.assertNotIn("--tau-pre", self.hopper("case.yaml", code=2).stderr)
+
+    def test_yield_loci_that_no_solid_has(self):
+        """A falling one and one whose sigma_2 is tension say so, not that a column is missing. By hand, of the
+        second: tau = 9 + 0.577 sigma, and the circle through the preshear point (4, 11) that touches it."""
+        tests = "flow_function: {shear_tests: [{points: p.csv}, {points: q.csv}]}\nwall_friction: {angle: 18 deg}\n"
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        for cohesion, slope, tau_pre, words in (
+                (3.0, -0.5, 1.5, ["p.csv:2, 3, 4: the yield locus at a preshear stress of 4.000 kPa has phi_lin = -26.57 deg; "
+                                  "it must be 1 to 80 deg.", "Have sigma_sh and tau_sh been exchanged"]),
+                (9.0, 0.577, 11.0, ["phi_e is undefined in every yield locus, since sigma_2 is tension (-",
+                                    "at a preshear stress of 4.000 kPa)", "give the key effective_friction."])):
+            for name, times in (("p.csv", 1), ("q.csv", 2)):
+                self.write(name, head + "".join(
+                    f"{4 * times},{times * tau_pre},{times * s},{times * (cohesion + slope * s)},1300\n"
+                    for s in (1.0, 2.0, 3.0)))
+            self.refuse(tests, words)
+            self.assertNotIn("neither the key", self.hopper("case.yaml", code=2).stderr)
+
+    def test_shear_stresses_in_another_unit(self):
+        """Of a results folder and a file, the second has tau_sh in Pa with kPa above it: by hand atan(0.00073)."""
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [{}],rho_b [kg/m3]\n"
+        os.mkdir(self.path("run"))
+        self.write("run/points.csv", head.format("kPa") + "".join(
+            f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 2.0, 3.0)))
+        self.write("high.csv", "# laboratory\n" + head.format("Pa") + "".join(
+            f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5)))
+        self.refuse("flow_function: {shear_tests: [{points: run}, {points: high.csv}]}\nwall_friction: {angle: 18 deg}\n",
+                    ["high.csv:3, 4, 5: the yield locus at a preshear stress of 10.000 kPa has "
+                     "phi_lin = 0.04 deg; it must be 1 to 80 deg."])
+
+    def test_tables_with_mistakes(self):
+        self.refuse(CASE, ["flow.csv:1: the header has no column f_c", "sigma_1 [kPa],f_c"],
+                    head=FLOW.replace("f_c [kPa],", "", 1))
+        self.refuse(CASE, ['flow.csv:1: there is no column "sigma1"', "sigma_1"],
+                    head=FLOW.replace("sigma_1", "sigma1"))
+        self.refuse(CASE, ["flow.csv:1: column f_c has no unit"],
+                    head=FLOW.replace("f_c [kPa]", "f_c"))
+        self.refuse(CASE, ["flow.csv:1: column phi_e [kPa]", "an angle"],
+                    head=FLOW.replace("phi_e [deg]", "phi_e [kPa]"))
+        self.refuse(CASE, ['flow.csv:2: column phi_e: "95" must be below 90'],
+                    rows=ROWS.replace("48", "95"))
+        self.refuse(CASE, ['flow.csv:2: column f_c: "-1.4" must be 0 or more'],
+                    rows=ROWS.replace("1.4", "-1.4", 1))
+        self.refuse(CASE, ["flow.csv:3: 5 cells, but the header has 6 columns"],
+                    rows=ROWS.replace("1300", "").replace("40,\n4", "40\n4").replace(
+                        "47,40,", "47,40"))
+        self.refuse(CASE, ["flow.csv:2: column rho_b: 1.21 kg/m3 is outside 10 to 15000 kg/m3",
+                           "[g/cm3]?"], rows="2,1.4,0,48,40,1.21\n8,2.9,0,46,39,1.3\n")
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n2,1210\n8,1.3\n")
+        self.refuse(CASE + "bulk_density: {file: rho.csv}\n",
+                    ["rho.csv:3: column rho_b: 1.3 kg/m3 is outside", "[g/cm3]?"])
+        self.refuse(CASE + "bulk_density: {value: 1.21 kg/m3}\n",
+                    ["bulk_density.value", "is out of range", "10"])
+        self.refuse(CASE.replace("flow.csv", "none.csv"), ["none.csv", "No such file"])
+
+    def test_measurements_that_cannot_be(self):
+        self.refuse(CASE, ["static angle of internal friction", "above the effective one",
+                           "interchanged?"], rows="2,1.4,0,40,48,1250\n8,2.9,0,39,46,1350\n")
+        self.refuse(CASE, ["make no flow function"], rows="2,1.4,0,48,40,1250\n")
+        self.refuse(CASE, ["phi_e is not known", "effective_friction"],
+                    head="sigma_1 [kPa],f_c [kPa],rho_b [kg/m3]\n",
+                    rows="2,1.4,1250\n8,2.9,1300\n")
+        self.refuse(CASE, ["rho_b is not known", "bulk_density"],
+                    head="sigma_1 [kPa],f_c [kPa],phi_e [deg]\n", rows="2,1.4,48\n8,2.9,47\n")
+        self.refuse(CASE.replace("flow.csv", "flow.csv, curve: points"),
+                    ["two points at nearly the same stress", "curve: line"],
+                    rows="2,1.4,0,48,40,1250\n2.01,1.5,0,48,40,1250\n8,2.9,0,46,40,1350\n")
+
+    def test_the_command_line(self):
+        self.assertIn("which case?", self.hopper(code=2).stderr)
+        self.start()
+        self.assertIn("one case at a time", self.hopper("case.yaml", "case.yaml", code=2).stderr)
+        self.assertIn("none.yaml", self.hopper("none.yaml", code=2).stderr)
+        self.assertEqual(self.hopper("case.yaml", "-o", "no/folder", code=1).returncode, 1)
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
