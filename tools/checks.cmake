@@ -6,6 +6,8 @@ file(GLOB_RECURSE CLOD_LAYERED CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
 file(GLOB_RECURSE CLOD_BESIDE CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
   tests/*.[ch] bench/*.[ch] examples/*.[ch])
 set(CLOD_ALL ${CLOD_LAYERED} ${CLOD_BESIDE})
+file(GLOB_RECURSE CLOD_PYTHON CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
+  tests/*.py bench/*.py cases/*.py python/*.py tools/*.py)
 set(CLOD_HEADERS ${CLOD_LAYERED})
 list(FILTER CLOD_HEADERS INCLUDE REGEX "^(src|include)/.*\\.h$")
 if(NOT neon IN_LIST CLOD_SETS) # its intrinsics are the compiler's for ARM; tools/check-arm builds it
@@ -23,7 +25,7 @@ endfunction()
 clod_add_check(lint/format 600 clang-format-14 --dry-run -Werror ${CLOD_ALL})
 clod_add_check(lint/layers 600 tools/check-layers ${CLOD_ALL})
 clod_add_check(lint/layers-selftest 600 tools/check-layers-selftest)
-clod_add_check(lint/style 600 tools/check-style ${CLOD_ALL})
+clod_add_check(lint/style 600 tools/check-style ${CLOD_ALL} ${CLOD_PYTHON})
 clod_add_check(lint/words 600 tools/check-words)
 clod_add_check(lint/links 600 tools/check-links .)
 clod_add_check(lint/subjects 600 tools/check-subjects)
