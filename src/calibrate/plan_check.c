@@ -61,7 +61,7 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
     clod_status status = {CLOD_OK, ""};
     clod_case *plain = clod_case_load(test->path, NULL, 0, &status);
     if (plain == NULL) {
-        clod_check_fail(loader, path, "%.800s", status.text);
+        clod_check_fail(loader, path, "%.800s", clod_plan_check_reason(&status));
         return;
     }
     clod_case_destroy(&plain);
@@ -79,6 +79,12 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
     } else if (kind->paths && !clod_free_summary_paths(test->middle, &test->paths, &status)) {
         clod_check_fail(loader, path, "%.800s", status.text);
     }
+}
+
+const char *clod_plan_check_reason(clod_status *why)
+{
+    why->text[strcspn(why->text, "\n")] = '\0';
+    return why->text;
 }
 
 static void check_numbers(clod_loader *loader, const clod_plan *self)

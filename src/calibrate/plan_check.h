@@ -19,6 +19,10 @@ void clod_plan_check_key(clod_loader *loader, const clod_plan_parameter *self);
  *  (plan_places.c). False after a complaint, which names the settings. */
 bool clod_plan_check_places(clod_loader *loader, const clod_plan *self, clod_plan_test *test);
 
+/** What a case that is refused says first, in one line: its text is cut before the line of the file that it
+ *  shows, which has no place within another complaint. */
+const char *clod_plan_check_reason(clod_status *why);
+
 /** Targets from wishes (plan_targets.c). */
 void clod_plan_make_targets(clod_loader *loader, clod_plan *self);
 

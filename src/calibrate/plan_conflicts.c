@@ -25,22 +25,85 @@ static const clod_plan_target *with(const clod_plan *self, size_t test, const ch
     return NULL;
 }
 
-/** The line through the origin that touches the steady circle is at least as steep as the yield locus,
- *  which touches it too, if the cohesion is not below 0. */
-static void check_angles(clod_loader *loader, const clod_plan *self)
+/** Two numbers of a shear test of which one is at least so many times the other. */
+typedef struct order {
+    const char *less, *more;
+    double times;
+    const char *why;
+} order;
+
+// The steady circle goes through preshear and touches the yield locus; phi_e is the steepest line through the
+// origin that meets it, and touches it too.
+static const order ORDERS[] = {
+    {"phi_lin", "phi_e", 1.0, "which no yield locus with a cohesion of 0 or more can have"},
+    {"phi_sf", "phi_e", 1.0,
+     "which is the steepest line through the origin that meets the circle of steady flow"},
+    {"c", "sigma_c", 2.0,
+     "and sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) is not below 2 c at any angle"},
+    {"sigma_2", "sigma_1", 1.0, "the major principal stress"},
+};
+
+static void check_order(clod_loader *loader, const clod_plan *self, size_t test,
+                        const order *of)
+{
+    const clod_plan_target *less = with(self, test, of->less);
+    const clod_plan_target *more = with(self, test, of->more);
+    if (less == NULL || more == NULL || more->curve != NULL ||
+        of->times * less->value - more->value <=
+            FIRM * hypot(of->times * less->error, more->error)) {
+        return;
+    }
+    const clod_plan_measure *unit = &more->measure;
+    clod_check_fail(
+        loader, "targets",
+        "test %s: %s %.*f %s in targets.%zu is below %s%s %.*f %s in targets.%zu, %s; are "
+        "they interchanged, or of different consolidations?",
+        self->tests[test].name, of->more, unit->digits, unit->factor * more->value, unit->unit,
+        more->entry, of->times > 1.0 ? "twice the " : "", of->less, unit->digits,
+        unit->factor * less->value, unit->unit, less->entry, of->why);
+}
+
+/** sigma_1 is the right end of a circle through preshear, and tan(phi_sf) is tau_p over its stress. */
+static void check_preshear(clod_loader *loader, const clod_plan *self, size_t test)
+{
+    const double stress = clod_case_shear(self->tests[test].middle)->preshear_stress;
+    const clod_plan_target *major = with(self, test, "sigma_1");
+    if (major != NULL && stress - major->value > FIRM * major->error) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: sigma_1 %.4g kPa in targets.%zu is below the preshear stress of the case, "
+            "%.4g kPa: no circle through preshear ends there; give the sigma_1 of that "
+            "consolidation, or the test its preshear stress",
+            self->tests[test].name, 1e-3 * major->value, major->entry, 1e-3 * stress);
+    }
+    const clod_plan_target *angle = with(self, test, "phi_sf");
+    const clod_plan_target *shear = with(self, test, "tau_p");
+    if (angle == NULL || shear == NULL) {
+        return;
+    }
+    const double of_shear = atan2(shear->value, stress);
+    const double slope =
+        stress / (stress * stress + shear->value * shear->value); // of the angle over tau_p
+    if (fabs(of_shear - angle->value) > FIRM * hypot(angle->error, slope * shear->error)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: phi_sf %.1f deg in targets.%zu is not that of tau_p %.4g kPa in targets.%zu "
+            "at the preshear stress of the case, %.4g kPa: %.1f deg; they contradict each other",
+            self->tests[test].name, angle->measure.factor * angle->value, angle->entry,
+            1e-3 * shear->value, shear->entry, 1e-3 * stress, angle->measure.factor * of_shear);
+    }
+}
+
+static void check_shear_tests(clod_loader *loader, const clod_plan *self)
 {
     for (size_t t = 0; t < self->test_count; t++) {
-        const clod_plan_target *line = with(self, t, "phi_lin");
-        const clod_plan_target *effective = with(self, t, "phi_e");
-        if (line != NULL && effective != NULL &&
-            line->value - effective->value > FIRM * hypot(line->error, effective->error)) {
-            clod_check_fail(
-                loader, "targets",
-                "test %s: phi_e %.1f deg in targets.%zu is below phi_lin %.1f deg in targets.%zu, which no "
-                "yield locus with a cohesion of 0 or more can have; are they interchanged?",
-                self->tests[t].name, effective->measure.factor * effective->value,
-                effective->entry, line->measure.factor * line->value, line->entry);
+        if (clod_test_kinds_of(self->tests[t].middle)->numbers != CLOD_NUMBERS_SHEAR) {
+            continue;
         }
+        for (size_t k = 0; k < sizeof ORDERS / sizeof ORDERS[0]; k++) {
+            check_order(loader, self, t, &ORDERS[k]);
+        }
+        check_preshear(loader, self, t);
     }
 }
 
@@ -180,7 +243,7 @@ static void check_density(clod_loader *loader, const clod_plan *self)
 
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self)
 {
-    check_angles(loader, self);
+    check_shear_tests(loader, self);
     check_twice(loader, self);
     check_ffc(loader, self);
     check_density(loader, self);

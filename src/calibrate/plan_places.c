@@ -128,14 +128,15 @@ static bool accepts(clod_loader *loader, const clod_plan *self, const clod_plan_
     clod_status status = {CLOD_OK, ""};
     clod_case *found = clod_plan_case(self, test, place, &status);
     if (found == NULL && path != NULL) {
-        clod_check_fail(loader, path, "test %s refuses it: %.800s", test->name, status.text);
+        clod_check_fail(loader, path, "test %s refuses it: %.800s", test->name,
+                        clod_plan_check_reason(&status));
     } else if (found == NULL) {
         char settings[SETTINGS];
         write_settings(self, place, settings);
         clod_check_fail(loader, "parameters",
                         "test %s refuses %s together, and every combination within the "
                         "ranges may be run: %.800s",
-                        test->name, settings, status.text);
+                        test->name, settings, clod_plan_check_reason(&status));
     }
     const bool good = found != NULL;
     clod_case_destroy(&found);

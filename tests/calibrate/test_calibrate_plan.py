@@ -53,6 +53,13 @@ class Plan(bounce.Bounce):
         self.refuse((ends, "key: contacts.default.restitution, from: -0.2, to: 0.9"),
                     words=["parameters.e.from: test bounce refuses it", "is out of range"])
 
+    def test_a_case_that_is_refused_is_told_in_one_line(self):
+        """Its excerpt has no place above that of the plan."""
+        self.write("other.yaml", "include: card.yaml # none is there\n" + CASE)
+        told = self.refuse(("bounce.yaml", "other.yaml"),
+                           words=["card.yaml: cannot be opened", "clod calibrate writes a card.yaml into its results folder\n"])
+        self.assertEqual(len(told.splitlines()), 3, told)
+
     def two(self, k1, k2, points="9"):
         return (("points: 9", f"points: {points}"), ("  e: {key: contacts.default.restitution, from: 0.2, to: 0.9}",
                 f"  k1: {{key: contacts.default.k1, {k1}}}\n  k2: {{key: contacts.default.k2, {k2}}}"))

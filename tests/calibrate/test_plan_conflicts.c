@@ -42,6 +42,82 @@ static void ffc_beside_the_strength_of_its_consolidation(void **state)
         "and sigma_c in targets.0, by 3.5 standard errors");
 }
 
+#define TWO(one, other) "number: " one "}, {test: lab, number: " other
+
+static void load_both(void **state, const char *one, const char *other)
+{
+    clod_plan plan;
+    char text[512];
+    snprintf(text, sizeof text, TWO("%s", "%s"), one, other);
+    lab_load_good(state, RING, text, &plan);
+    clod_plan_fini(&plan);
+}
+
+// Apart by 2 sqrt(3^2 + 4^2) = 10 deg at most.
+static void angles_that_follow_one_another(void **state)
+{
+    load_both(state, "phi_sf, value: 39.5 deg, error: 3 deg",
+              "phi_e, value: 30 deg, error: 4 deg");
+    lab_refuse(
+        state, RING,
+        TWO("phi_sf, value: 40.5 deg, error: 3 deg", "phi_e, value: 30 deg, error: 4 deg"),
+        "test lab: phi_e 30.0 deg in targets.1 is below phi_sf 40.5 deg in targets.0, which is the "
+        "steepest line through the origin that meets the circle of steady flow");
+    load_both(state, "phi_e, value: 30 deg, error: 3 deg",
+              "phi_lin, value: 39.5 deg, error: 4 deg");
+    lab_refuse(
+        state, RING,
+        TWO("phi_e, value: 30 deg, error: 3 deg", "phi_lin, value: 40.5 deg, error: 4 deg"),
+        "test lab: phi_e 30.0 deg in targets.0 is below phi_lin 40.5 deg in targets.1, which no yield "
+        "locus with a cohesion of 0 or more can have");
+}
+
+// 2 (5 +- 1) kPa is above sigma_c by 2 sqrt((2 1)^2 + 1.5^2) = 5 kPa at most.
+static void strength_of_a_cohesion(void **state)
+{
+    load_both(state, "c, value: 5 kPa, error: 1 kPa",
+              "sigma_c, value: 5.1 kPa, error: 1.5 kPa");
+    lab_refuse(
+        state, RING,
+        TWO("c, value: 5 kPa, error: 1 kPa", "sigma_c, value: 4.9 kPa, error: 1.5 kPa"),
+        "test lab: sigma_c 4.90 kPa in targets.1 is below twice the c 5.00 kPa in targets.0");
+}
+
+static void principal_stresses_in_order(void **state)
+{
+    load_both(state, "sigma_1, value: 60 kPa, error: 1 kPa",
+              "sigma_2, value: 20 kPa, error: 1 kPa");
+    lab_refuse(
+        state, RING,
+        TWO("sigma_1, value: 60 kPa, error: 1 kPa", "sigma_2, value: 63 kPa, error: 1 kPa"),
+        "test lab: sigma_1 60.00 kPa in targets.0 is below sigma_2 63.00 kPa in targets.1");
+}
+
+// The case preshears at 54.8 kPa, and atan(37.4/54.8) is 34.31 deg; 3 kPa of tau_p are 54.8/(54.8^2 + 37.4^2)
+// of a radian each, 2.14 deg in all: 4.40 deg are allowed.
+static void results_beside_the_stress_of_preshear(void **state)
+{
+    clod_plan plan;
+    lab_load_good(state, RING, "number: sigma_1, value: 53 kPa, error: 1 kPa", &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(
+        state, RING, "number: sigma_1, value: 52 kPa, error: 1 kPa",
+        "test lab: sigma_1 52 kPa in targets.0 is below the preshear stress of the case, 54.8 kPa");
+    load_both(state, "tau_p, value: 37.4 kPa, error: 3 kPa",
+              "phi_sf, value: 30 deg, error: 0.5 deg");
+    lab_refuse(
+        state, RING,
+        TWO("tau_p, value: 37.4 kPa, error: 3 kPa", "phi_sf, value: 29.8 deg, error: 0.5 deg"),
+        "test lab: phi_sf 29.8 deg in targets.1 is not that of tau_p 37.4 kPa in targets.0 at the "
+        "preshear stress of the case, 54.8 kPa: 34.3 deg");
+    load_both(state, "tau_p, value: 37.4 kPa, error: 3 kPa",
+              "phi_sf, value: 38.6 deg, error: 0.5 deg");
+    lab_refuse(
+        state, RING,
+        TWO("tau_p, value: 37.4 kPa, error: 3 kPa", "phi_sf, value: 38.8 deg, error: 0.5 deg"),
+        "phi_sf 38.8 deg");
+}
+
 // The ore of both cases has 2481.3 kg/m3.
 static void bulk_density_above_that_of_the_grains(void **state)
 {
@@ -74,6 +150,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(ffc_beside_its_stresses),
         TEST(ffc_beside_the_strength_of_its_consolidation),
+        TEST(angles_that_follow_one_another),
+        TEST(strength_of_a_cohesion),
+        TEST(principal_stresses_in_order),
+        TEST(results_beside_the_stress_of_preshear),
         TEST(bulk_density_above_that_of_the_grains),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
