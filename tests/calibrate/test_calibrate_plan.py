@@ -55,7 +55,8 @@ class Plan(bounce.Bounce):
 
     def test_a_case_that_is_refused_is_told_in_one_line(self):
         """Its excerpt has no place above that of the plan."""
-        self.write("other.yaml", "include: card.yaml # none is there\n" + CASE)
+        with open(CASE) as file:
+            self.write("other.yaml", "include: card.yaml # none is there\n" + file.read())
         told = self.refuse(("bounce.yaml", "other.yaml"),
                            words=["card.yaml: cannot be opened", "clod calibrate writes a card.yaml into its results folder\n"])
         self.assertEqual(len(told.splitlines()), 3, told)
