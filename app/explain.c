@@ -80,8 +80,8 @@ int clod_app_explain(int argc, char **argv)
         .doc =
             "Explain keys of a case file, of the case of a hopper and of the plan of a calibration: kind, unit, range, default, source. KEY is a path "
             "such as ring_shear.depth, or the last part of one, such as k_adh. The verb that "
-            "reads such a file, run, hopper or calibrate, lists its topmost keys. Without KEY, "
-            "list all keys.",
+            "reads such a file, run, hopper or calibrate, lists its topmost keys, and stands before a key "
+            "that several files have, hopper.wall_friction. Without KEY, list all keys.",
     };
     request self = {.first = argc};
     if (!clod_arguments_parse(&argp, argc, argv, ARGP_IN_ORDER, &self)) {

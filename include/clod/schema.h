@@ -22,7 +22,8 @@ const clod_schema *clod_schema_case(void);
  *
  * @param schemas kinds of file in which it is looked for, NULL behind the last; NULL: case files
  * @param key     path such as "ring_shear.depth" or "grains.0.count", the last part of one such
- * as "k_adh"; a verb that reads one of these files ("run", "hopper", "calibrate"), for the topmost
+ * as "k_adh"; either behind the verb that reads the file, "hopper.wall_friction", where several files have a
+ * key of that name; a verb that reads one of these files ("run", "hopper", "calibrate"), for the topmost
  * keys of that file, where no key is called so; or NULL for a list of all keys
  * @param status  [out] when there is no such key: what may have been meant
  * @return        owned text (clod_schema_free), or NULL

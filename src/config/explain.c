@@ -162,6 +162,22 @@ static void look_everywhere(search *self, const clod_schema *const *schemas)
     }
 }
 
+/** Where no key is called so: "hopper.wall_friction" is the key wall_friction of what clod hopper reads. */
+static void look_behind_verb(search *self, const clod_schema *const *schemas)
+{
+    const char *key = self->key;
+    for (size_t k = 0; schemas[k] != NULL; k++) {
+        const size_t length = strlen(schemas[k]->verb);
+        const clod_schema *const one[] = {schemas[k], NULL};
+        if (strncmp(key, schemas[k]->verb, length) == 0 && key[length] == '.') {
+            self->key = key + length + 1;
+            self->near = clod_suggest_start(self->key);
+            look_everywhere(self, one);
+        }
+    }
+    self->key = key;
+}
+
 char *clod_schema_explain(const clod_schema *const *schemas, const char *key,
                           clod_status *status)
 {
@@ -181,6 +197,7 @@ char *clod_schema_explain(const clod_schema *const *schemas, const char *key,
     look_everywhere(&self, schemas);
     if (self.found == 0) {
         list_top(&self, schemas);
+        look_behind_verb(&self, schemas);
     }
     char *answer = clod_text_close(&text);
     if (self.found == 0) {

@@ -50,6 +50,15 @@ class Explain(clod.Case):
             self.assertGreater(len(keys), 5)
             self.assertEqual([line.split()[0] for line in told[2:]], keys)
 
+    def test_a_verb_before_a_key_chooses_its_file(self):
+        told = self.explain("hopper.wall_friction").stdout
+        self.assertTrue(told.startswith("wall_friction" + HOPPER), told)
+        self.assertEqual(told.count("  kind "), 1)
+        self.assertTrue(self.explain("calibrate.seeds").stdout.startswith("seeds" + PLAN))
+        self.assertTrue(self.explain("run.seed").stdout.startswith("seed\n"))
+        self.assertIn("there is no key hopper.wall_frictoin; did you mean wall_friction?",
+                      self.explain("hopper.wall_frictoin", code=2).stderr)
+
     def test_wrong_keys_are_answered_with_the_nearest_of_all_files(self):
         for wrong, right in (("bugdet", "budget"), ("arch_thicknes", "arch_thickness"), ("kadh", "k_adh")):
             self.assertIn(f"there is no key {wrong}; did you mean {right}?", self.explain(wrong, code=2).stderr)
