@@ -42,7 +42,7 @@ static const clod_run_kind ROWS[CLOD_CASE_KINDS] = {
                                  .cards = clod_cards_wall,
                                  .put = clod_wall_page_put,
                                  .lab = clod_wall_page_lab,
-                                 .results = clod_wall_compare_results,
+                                 .results = clod_compare_tables_wall,
                                  .figures = clod_wall_compare_figures},
 };
 
