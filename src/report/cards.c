@@ -71,9 +71,6 @@ void clod_cards_result(FILE *out, const json_t *from, const clod_result_row *row
 {
     fputs("<div class=\"card\">", out);
     clod_result_table_value(out, "b", from, row, false);
-    if (row->unit[0] != '\0' && isfinite(clod_result_table_number(from, row->key))) {
-        fprintf(out, " <small>%s</small>", row->unit);
-    }
     fprintf(out, row->symbol[0] != '\0' ? "</b><span>%s, %s" : "</b><span>%s%s", row->symbol,
             row->text);
     if (more != NULL) {

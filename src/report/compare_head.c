@@ -204,7 +204,7 @@ static void put_number(FILE *out, const json_t *summary, const char *key)
         const double number = json_number_value(value), none = (double)NAN;
         clod_rounded_begin(out, "td", number, none, "");
         clod_rounded_put(out, number, none, none,
-                         json_is_integer(value) ? 0 : CLOD_ROUNDED_SHORT);
+                         json_is_integer(value) ? 0 : CLOD_ROUNDED_SHORT, "");
         fputs("</td>", out);
     } else {
         clod_html_cell(out, "td", "");

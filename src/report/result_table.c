@@ -45,7 +45,7 @@ void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
         return;
     }
     clod_rounded_put(out, row->factor * value, row->factor * error, row->factor * scatter,
-                     row->digits);
+                     row->digits, all ? "" : row->unit);
     const double known = clod_result_table_number(object, "n"),
                  all_of = clod_result_table_number(from, "n");
     if (known < all_of) {

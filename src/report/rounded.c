@@ -42,28 +42,31 @@ clod_rounded clod_rounded_of(double value, double error, int digits)
 void clod_rounded_text(char text[48], clod_rounded how, double number)
 {
     const double scaled = number / pow(10.0, how.power);
-    const double unit = how.digits < 0 ? pow(10.0, -how.digits) : 1.0;
-    const double rounded = how.digits < 0 ? unit * round(scaled / unit) : scaled;
-    const int used = snprintf(text, 48, "%.*f", how.digits < 0 ? 0 : how.digits,
-                              rounded == 0.0 ? 0.0 : rounded);
+    const double unit = pow(10.0, how.digits < 0 ? -how.digits : 0);
+    const int digits = how.digits < 0 ? 0 : how.digits;
+    const double shown = how.digits < 0 ? unit * round(scaled / unit) : scaled;
+    int used = snprintf(text, 48, "%.*f", digits, shown);
+    if (strtod(text, NULL) == 0.0) { // no -0.00
+        used = snprintf(text, 48, "%.*f", digits, 0.0);
+    }
     if (how.power != 0 && used > 0 && used < 40) {
         snprintf(text + used, 48 - (size_t)used, "e%d", how.power);
     }
 }
 
 /** A number that is far below the last digit of the value keeps two of its own. */
-static void put_small(FILE *out, const char *before, clod_rounded how, double number,
-                      const char *behind)
+static void put_small(FILE *out, const char *before, clod_rounded how, double number)
 {
     char text[48];
     clod_rounded_text(text, how, number);
     if (strtod(text, NULL) == 0.0) {
         snprintf(text, sizeof text, "%.1e", number);
     }
-    fprintf(out, " <small>%s%s%s</small>", before, text, behind);
+    fprintf(out, " <small>%s%s", before, text);
 }
 
-void clod_rounded_put(FILE *out, double value, double error, double scatter, int digits)
+void clod_rounded_put(FILE *out, double value, double error, double scatter, int digits,
+                      const char *unit)
 {
     char text[48];
     const bool known = isfinite(error) && error > 0.0;
@@ -75,10 +78,14 @@ void clod_rounded_put(FILE *out, double value, double error, double scatter, int
     }
     fputs(text, out);
     if (known) {
-        put_small(out, "&plusmn; ", how, error, "");
+        put_small(out, "&plusmn; ", how, error);
+        fprintf(out, unit[0] != '\0' ? " %s</small>" : "%s</small>", unit);
+    } else if (unit[0] != '\0') {
+        fprintf(out, " <small>%s</small>", unit);
     }
     if (known && isfinite(scatter) && scatter > 0.0) {
-        put_small(out, "(s ", how, scatter, ")");
+        put_small(out, "(s ", how, scatter);
+        fputs(")</small>", out);
     }
 }
 

@@ -28,10 +28,11 @@ clod_rounded clod_rounded_of(double value, double error, int digits);
 void clod_rounded_text(char text[48], clod_rounded how, double number);
 
 /**
- * Write a value, " ± error" and " (s scatter)" as HTML; those that are not finite are left out, and an
- * error of 0.
+ * Write a value, " ± error", its unit and " (s scatter)" as HTML; those that are not finite are left out,
+ * and an error of 0. @param unit  HTML; "": none
  */
-void clod_rounded_put(FILE *out, double value, double error, double scatter, int digits);
+void clod_rounded_put(FILE *out, double value, double error, double scatter, int digits,
+                      const char *unit);
 
 /** Begin an element whose title is the whole value, with its error and unit where there are any. */
 void clod_rounded_begin(FILE *out, const char *tag, double value, double error,

@@ -110,7 +110,7 @@ static void put_stress(FILE *out, const json_t *from, const char *key)
 {
     const double value = clod_shear_number(from, key);
     clod_rounded_begin(out, "td", value, (double)NAN, "Pa");
-    clod_rounded_put(out, 1e-3 * value, (double)NAN, (double)NAN, 3);
+    clod_rounded_put(out, 1e-3 * value, (double)NAN, (double)NAN, 3, "");
     fputs("</td>", out);
 }
 

@@ -76,7 +76,7 @@ static void put_cell(FILE *out, const json_t *point, const char *key, const char
     const double error = error_key != NULL ? clod_shear_number(point, error_key) : (double)NAN;
     clod_rounded_begin(out, "td", value, error, unit);
     if (isfinite(value)) {
-        clod_rounded_put(out, factor * value, factor * error, (double)NAN, digits);
+        clod_rounded_put(out, factor * value, factor * error, (double)NAN, digits, "");
     }
     fputs("</td>", out);
 }

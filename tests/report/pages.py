@@ -151,13 +151,13 @@ LOCUS = {"sigma_p_Pa": 10000.0, "tau_p_Pa": 7200.0, "c_Pa": 1375.0, "phi_lin_deg
 RUNS = "point,a,b,ring: phi_e [deg]\n" + "".join(f"{k},{text(0.1 * k)},{text(1 - 0.09 * k)},{text(30 + k)}\n" for k in range(8))
 
 
-def shear(folder, shift=0.0):
-    """A ring shear test; `shift` [Pa] moves its points."""
+def shear(folder, shift=0.0, key="ring_shear"):
+    """A ring shear test, or a Jenike test; `shift` [Pa] moves its points."""
     locus = {**LOCUS, "tau_p_Pa": LOCUS["tau_p_Pa"] + shift, "c_Pa": LOCUS["c_Pa"] + shift,
              "points": [{**point, "prorated_Pa": point["prorated_Pa"] + shift} for point in LOCUS["points"]]}
     write(folder, summary__json={"title": "Ring", "version": "clod 9", "locus": {"loci": [locus]}}, report__txt="all of it\n",
           preshear__csv=SLIP,
-          **{"case_HYPHEN_complete__yaml": COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"})
+          **{"case_HYPHEN_complete__yaml": COMPLETE % ("Ring", "2500") + f"{key}:\n  seeds: 1\n"})
 
 
 def calibration(folder):
@@ -301,6 +301,11 @@ def read_png(data):
         rows.append([tuple(line[4 * x:4 * x + 4]) for x in range(width)])
         above = line
     return rows
+
+
+def load_json(path):
+    with open(path) as file:
+        return json.load(file)
 
 
 def load(path):

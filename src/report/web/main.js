@@ -77,6 +77,7 @@ async function start() {
   document.documentElement.dataset.figures = drawn;
   document.documentElement.dataset.views = JSON.stringify(seen);
   document.documentElement.dataset.overflow = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+  document.documentElement.dataset.stacked = document.querySelectorAll("table.stacked").length;
   document.documentElement.dataset.hidden = JSON.stringify(hiddenTables());
   document.documentElement.dataset.errors = JSON.stringify(errors);
   document.documentElement.dataset.ready = "yes";
