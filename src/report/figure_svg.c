@@ -106,6 +106,10 @@ static void put_mark(FILE *out, const clod_figure_curve *curve, double x, double
     static const char *const SHAPES[CLOD_FIGURE_ROUNDS] = {
         "", "m-4 -4h8v8h-8z", "m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z", "m0 -5.5l5 9h-10z"};
     const char *colour = colour_of(curve->colour);
+    if (curve->style == CLOD_FIGURE_DOTS) {
+        fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\" fill=\"%s\"/>\n", x, y, colour);
+        return;
+    }
     if (curve->round == 0) {
         fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\"", x, y);
     } else {
@@ -163,7 +167,8 @@ static void put_line(FILE *out, const frame *self, const clod_figure_curve *curv
 
 static bool is_marks(clod_figure_style style)
 {
-    return style == CLOD_FIGURE_POINTS || style == CLOD_FIGURE_HOLLOW;
+    return style == CLOD_FIGURE_POINTS || style == CLOD_FIGURE_HOLLOW ||
+           style == CLOD_FIGURE_DOTS;
 }
 
 /** One row of the legend after the other; NULL: only how many rows there are. */

@@ -7,7 +7,7 @@
 #include "report/figure_json.h"
 #include "report/html.h"
 
-#define MOST_DIGITS 6 ///< behind the point
+#define MOST_DIGITS 5 ///< behind the point
 #define MOST_PLACES 6 ///< of a value whose error is far smaller
 
 /** Power of ten of the first digit, after rounding to so many. */
