@@ -8,6 +8,7 @@
 #include "report/html.h"
 
 #define MOST_DIGITS 5 ///< behind the point
+#define LEAST 1e-6    ///< of the value: an error below is none
 #define MOST_PLACES 6 ///< of a value whose error is far smaller
 
 /** Power of ten of the first digit, after rounding to so many. */
@@ -22,10 +23,16 @@ static int power_of(double number, int digits)
     return atoi(at + 1);
 }
 
+/** Whether there is an error that a reader would look at. */
+static bool is_known(double value, double error)
+{
+    return isfinite(error) && error > 0.0 && !(error < LEAST * fabs(value));
+}
+
 clod_rounded clod_rounded_of(double value, double error, int digits)
 {
     clod_rounded how = {.digits = digits};
-    if (!isfinite(value) || !isfinite(error) || error <= 0.0) {
+    if (!isfinite(value) || !is_known(value, error)) {
         return how;
     }
     how.digits = 1 - power_of(error, 2);
@@ -69,7 +76,7 @@ void clod_rounded_put(FILE *out, double value, double error, double scatter, int
                       const char *unit)
 {
     char text[48];
-    const bool known = isfinite(error) && error > 0.0;
+    const bool known = is_known(value, error);
     const clod_rounded how = clod_rounded_of(value, error, digits);
     if (!known && digits == CLOD_ROUNDED_SHORT) {
         snprintf(text, sizeof text, "%.4g", value);

@@ -18,7 +18,7 @@ typedef struct clod_rounded {
 /**
  * The place of the second digit of an error, and a power of ten where the numbers would have many zeros.
  *
- * @param error   not finite or 0: none, and `digits` are taken
+ * @param error   not finite, or below a millionth of the value: none, and `digits` are taken
  * @param digits  behind the point of a value without an error
  * Threads  pure.   Test  tests/report/test_rounded.c
  */
@@ -29,7 +29,7 @@ void clod_rounded_text(char text[48], clod_rounded how, double number);
 
 /**
  * Write a value, " ± error", its unit and " (s scatter)" as HTML; those that are not finite are left out,
- * and an error of 0. @param unit  HTML; "": none
+ * and an error that is none. @param unit  HTML; "": none
  */
 void clod_rounded_put(FILE *out, double value, double error, double scatter, int digits,
                       const char *unit);
