@@ -355,6 +355,44 @@ class Report(clod.Case):
         self.assertEqual(with_lab[:6], curves)
         self.assertEqual([curve["style"] for curve in with_lab[6:9]], ["dashed", "hollow", "hollow"])
 
+    def test_a_laboratory_at_another_preshear_stress(self):
+        """Strengths belong to the preshear stress: a warning names both; within a twentieth they are the same."""
+        pages.shear(self.path("ring"))  # 10 kPa
+        told = "The laboratory's points are at a preshear stress of %s kPa, the run's at 10.000 kPa: "
+        for stress, warned in ((5, "5.000"), (10.4, None), (10.6, "10.600"), (9.4, "9.400")):
+            shear = "".join(f"{stress},{0.72 * stress},{k * stress},{(0.1375 + 0.625 * k) * stress},1650\n" for k in (0.3, 0.5, 0.75))
+            with open(self.path("lab.csv"), "w") as file:
+                file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n" + shear)
+            self.made("report", "ring", "--lab", "lab.csv")
+            found = [item for item in self.page("ring/report.html").items if "preshear stress of" in item]
+            self.assertEqual([item.startswith(told % warned) for item in found], [True] if warned else [], stress)
+        pages.shear(self.path("other"))
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(LAB.replace("\n10,7.2", "\n20,7.2"))
+        self.made("compare", "ring", "other", "--lab", "lab.csv")
+        found = [item for item in self.page("compare.html").items if "preshear stress of" in item]
+        self.assertEqual([item.startswith("All 2 runs: " + told % "20.000") for item in found], [True])
+
+    def test_cards_of_what_was_measured(self):
+        """Angle of repose with its error, mixing, mass flow of gauges; then no kinetic energy of grains at rest."""
+        repose = {"heap": {"angle_deg": 28.159265, "error_deg": 0.9116774, "mean_deg": 28.159265, "deviation_deg": 7e-9, "height_m": 0.0457, "strips": 7},
+                  "none": {"angle_deg": None, "error_deg": None, "mean_deg": None, "deviation_deg": None, "height_m": None, "strips": 0}}
+        mixing = {"drum": {"by": "number", "lacey": 0.8731, "mean": 0.85, "deviation": 0.012, "share": 0.5}}
+        pages.free_run(self.path("run"), repose=repose, mixing=mixing, outlets=None)
+        self.made("report", "run")
+        page = self.page("run/report.html")
+        cards = re.findall(r'<div class="card"><b(?: title="([^"]*)")?>(.*?)</b><span>(.*?)</span>', page.text)
+        plain = [(html.unescape(title), html.unescape(re.sub("<[^>]*>", "", number)), caption) for title, number, caption in cards]
+        self.assertEqual(plain[:3], [("28.159265 ± 0.9116774 deg", "28.16 ± 0.91 deg", "angle of repose: heap"),
+                                     ("0.8731", "0.873", "mixing index (Lacey): drum"),
+                                     ("0.8343702206 ± 0.0204139 kg/s", "0.834 ± 0.020 kg/s", "mass flow, mean and deviation: head")])
+        self.assertNotIn("kinetic energy", [caption for *_, caption in plain])
+        self.assertEqual(page.row("angle [deg]")[1], "28.16 ± 0.91")
+        self.assertEqual(page.row("mean [deg]")[1], "28.16")  # its deviation is below what is told
+        pages.free_run(self.path("bed"), gauges={}, outlets=None)
+        self.made("report", "bed")
+        self.assertIn("<span>kinetic energy</span>", self.page("bed/report.html").text)
+
     def test_a_locus_without_class_of_flow(self):
         """Without strength there is no flowability, and no class of it."""
         points = [{"sigma_s_Pa": 3000.0, "prorated_Pa": 1500.0}, {"sigma_s_Pa": 5000.0, "prorated_Pa": 2500.0}]
