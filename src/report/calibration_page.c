@@ -97,6 +97,10 @@ static void put_range(FILE *out, const json_t *from)
 static void put_interval(FILE *out, const json_t *from)
 {
     const double low = clod_shear_number(from, "low"), high = clod_shear_number(from, "high");
+    if (!isfinite(low) || !isfinite(high)) {
+        fputs("<td></td>", out);
+        return;
+    }
     fputs("<td title=\"", out);
     clod_figure_json_number(out, low);
     fputs(" to ", out);

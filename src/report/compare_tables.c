@@ -138,8 +138,11 @@ bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t cou
                                const json_t *lab, clod_status *status)
 {
     json_t *beside = lab != NULL ? json_pack("{s:O}", "locus", lab) : NULL;
-    const bool good = put_table(out, CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, runs, count, beside,
-                                locus_of, status);
+    const bool good =
+        lab != NULL && beside == NULL
+            ? clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.")
+            : put_table(out, CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, runs, count, beside,
+                        locus_of, status);
     json_decref(beside);
     return good;
 }
@@ -148,8 +151,11 @@ bool clod_compare_tables_wall(FILE *out, const clod_run_files *runs, size_t coun
                               const json_t *lab, clod_status *status)
 {
     json_t *beside = lab != NULL ? json_pack("{s:O}", "wall_locus", lab) : NULL;
-    const bool good = put_table(out, CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, runs, count,
-                                beside, wall_of, status);
+    const bool good =
+        lab != NULL && beside == NULL
+            ? clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.")
+            : put_table(out, CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, runs, count, beside,
+                        wall_of, status);
     json_decref(beside);
     return good;
 }

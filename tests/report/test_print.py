@@ -146,7 +146,7 @@ class Print(clod.Case):
         last = {(tuple(curve["x"]), tuple(curve["y"])): curve["colour"] for curve in figure["curves"]}
         for colour in set(last.values()):
             near = sum(count for pixel, count in seen.items() if max(abs(a - b) for a, b in zip(pixel, rgb(colour))) < 24)
-            self.assertGreater(near, 10, (figure["name"], colour))  # a ring of a hollow point has some 18
+            self.assertGreater(near, 5, (figure["name"], colour))  # a ring of a hollow point that another covers has some 9
 
     def test_few_sheets(self):
         """A table goes on where its sheet ends, two figures stand side by side: the page of a ring shear test with six curves and a
