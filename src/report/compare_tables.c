@@ -2,7 +2,6 @@
 
 #include "base/memory.h"
 #include "report/compare_seeds.h"
-#include "report/rounded.h"
 #include "report/shear_rows.h"
 #include "report/wall_page.h"
 
@@ -14,9 +13,6 @@ typedef struct subjects {
     char (*names)[64];  ///< [mean_count] owned: how means are called
     size_t count, mean_count, room;
 } subjects;
-
-/** Object number g of a run; NULL behind the last. */
-typedef const json_t *(*object_of)(const json_t *summary, size_t g);
 
 static const json_t *locus_of(const json_t *summary, size_t g)
 {
@@ -34,12 +30,7 @@ static const json_t *wall_of(const json_t *summary, size_t g)
     return g == 0 && json_is_object(locus) ? locus : NULL;
 }
 
-static const json_t *summary_of(const json_t *summary, size_t g)
-{
-    return g == 0 ? summary : NULL;
-}
-
-static size_t objects_of(const json_t *summary, object_of get)
+static size_t objects_of(const json_t *summary, clod_compare_object get)
 {
     size_t count = 0;
     while (get(summary, count) != NULL) {
@@ -51,7 +42,7 @@ static size_t objects_of(const json_t *summary, object_of get)
 /** The means of a group: one for each object, if all its runs have as many. */
 static bool add_means(subjects *self, const clod_result_row *rows, size_t row_count,
                       const clod_run_files *runs, const clod_compare_seeds *seeds, size_t first,
-                      object_of get)
+                      clod_compare_object get)
 {
     const size_t size = clod_compare_seeds_size(seeds, first);
     const size_t each = size > 1 ? objects_of(runs[first].summary, get) : 0;
@@ -81,7 +72,7 @@ static bool add_means(subjects *self, const clod_result_row *rows, size_t row_co
 
 static bool list_subjects(subjects *self, const clod_result_row *rows, size_t row_count,
                           const clod_run_files *runs, const clod_compare_seeds *seeds,
-                          const json_t *lab, object_of get)
+                          const json_t *lab, clod_compare_object get)
 {
     size_t room = lab != NULL ? objects_of(lab, get) + 1 : 1;
     for (size_t k = 0; k < seeds->count; k++) {
@@ -107,10 +98,9 @@ static bool list_subjects(subjects *self, const clod_result_row *rows, size_t ro
     return good;
 }
 
-/** The table of objects of all runs, with the means of those that differ in their seeds alone. */
-static bool put_table(FILE *out, const clod_result_row *rows, size_t row_count,
-                      const clod_run_files *runs, size_t count, const json_t *lab,
-                      object_of get, clod_status *status)
+bool clod_compare_tables_put(FILE *out, const clod_result_row *rows, size_t row_count,
+                             const clod_run_files *runs, size_t count, const json_t *lab,
+                             clod_compare_object get, clod_status *status)
 {
     subjects all = {.count = 0};
     clod_compare_seeds seeds;
@@ -141,8 +131,8 @@ bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t cou
     const bool good =
         lab != NULL && beside == NULL
             ? clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.")
-            : put_table(out, CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, runs, count, beside,
-                        locus_of, status);
+            : clod_compare_tables_put(out, CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, runs, count,
+                                      beside, locus_of, status);
     json_decref(beside);
     return good;
 }
@@ -154,8 +144,8 @@ bool clod_compare_tables_wall(FILE *out, const clod_run_files *runs, size_t coun
     const bool good =
         lab != NULL && beside == NULL
             ? clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.")
-            : put_table(out, CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, runs, count, beside,
-                        wall_of, status);
+            : clod_compare_tables_put(out, CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, runs,
+                                      count, beside, wall_of, status);
     json_decref(beside);
     return good;
 }
@@ -174,24 +164,6 @@ bool clod_compare_tables_uniaxial(FILE *out, const clod_run_files *runs, size_t 
         {"strain_at_peak", "strain at the peak", "", "%", 100.0, 2, NULL, NULL, false},
         {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "",
          1.0, 2, NULL, NULL, false}};
-    return put_table(out, ROWS, sizeof ROWS / sizeof *ROWS, runs, count, NULL, strength_of,
-                     status);
-}
-
-bool clod_compare_tables_free(FILE *out, const clod_run_files *runs, size_t count,
-                              const json_t *lab, clod_status *status)
-{
-    (void)lab;
-    static const clod_result_row ROWS[] = {
-        {"time_s", "time", "", "s", 1.0, CLOD_ROUNDED_SHORT, NULL, "-", false},
-        {"grains", "grains", "", "", 1.0, 0, NULL, "-", false},
-        {"contacts", "contacts", "", "", 1.0, 0, NULL, "-", false},
-        {"coordination", "coordination", "", "", 1.0, 3, NULL, "-", false},
-        {"max_overlap", "largest overlap", "", "%", 100.0, CLOD_ROUNDED_SHORT, NULL, "-",
-         false},
-        {"kinetic_energy_J", "kinetic energy", "", "J", 1.0, CLOD_ROUNDED_SHORT, NULL, "-",
-         false},
-        {"wall_clock_s", "computing time", "", "s", 1.0, CLOD_ROUNDED_SHORT, NULL, "-", false}};
-    return put_table(out, ROWS, sizeof ROWS / sizeof *ROWS, runs, count, NULL, summary_of,
-                     status);
+    return clod_compare_tables_put(out, ROWS, sizeof ROWS / sizeof *ROWS, runs, count, NULL,
+                                   strength_of, status);
 }

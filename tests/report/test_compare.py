@@ -103,6 +103,20 @@ class Compare(clod.Case):
         self.assertEqual(self.compare("w1", "w2").row("kinematic angle of wall friction [deg]")[-1], "18.50 ± 0.50 (s 0.71)")
         self.assertEqual(self.compare("f1", "f2").row("coordination")[-1], "5.50 ± 0.50 (s 0.71)")
 
+    def test_what_free_runs_measured(self):
+        """Angles of repose, mixing indices and mass flows, with their means: 28 and 30 deg, 0.8 and 0.9; one run has no drum."""
+        for seed, (angle, lacey) in enumerate(((28.0, 0.8), (30.0, 0.9), (32.0, None)), 1):
+            pages.free_run(self.path(f"f{seed}"))
+            gauges = {"head <b>": {"mass_flow_kg_per_s": {"mean": 0.8 + 0.01 * seed, "deviation": 0.02}}}
+            mixing = {} if lacey is None else {"drum": {"by": "number", "lacey": lacey}}
+            self.seeded(f"f{seed}", seed, {**pages.FREE, "repose": {"heap": {"angle_deg": angle, "error_deg": 0.9}}, "mixing": mixing, "gauges": gauges})
+        page = self.compare("f1", "f2", "f3")
+        # deviations 2, 0.1/sqrt(2) and 0.01, errors 2/sqrt(3), 0.05 and 0.01/sqrt(3)
+        self.assertEqual(page.row("angle of repose: heap [deg]")[1:], ["28.00 ± 0.90", "30.00 ± 0.90", "32.00 ± 0.90", "30.0 ± 1.2 (s 2.0)"])
+        self.assertEqual(page.row("mixing index (Lacey): drum")[1:], ["0.8", "0.9", "-", "0.850 ± 0.050 (s 0.071) (n 2)"])
+        self.assertEqual(page.row("mass flow: head <b> [kg/s]")[1:], ["0.810 ± 0.020", "0.820 ± 0.020", "0.830 ± 0.020", "0.8200 ± 0.0058 (s 0.0100)"])
+        self.assertIn('<td title="28 &plusmn; 0.9 deg">', page.text)
+
     def seeded(self, name, seed, summary):
         case = clod.read(self.path(f"{name}/case-complete.yaml")).decode()
         pages.write(self.path(name), summary__json=summary, **{"case_HYPHEN_complete__yaml": f"{case}seed: {seed}\n"})
