@@ -13,7 +13,7 @@ function addCopies() {
     button.className = "copy";
     button.textContent = "copy table";
     button.onclick = () => {
-      const text = [...table.rows].map(row => [...row.cells].map(cell => cell.innerText).join("\t")).join("\n");
+      const text = [...table.rows].map(row => [...row.cells].map(cell => (cell.querySelector(".is") ?? cell).innerText).join("\t")).join("\n");
       navigator.clipboard.writeText(text).then(() => { button.textContent = "copied"; });
     };
     table.parentElement.after(button);
