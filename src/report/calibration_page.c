@@ -4,50 +4,21 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "base/input.h"
 #include "base/json.h"
 #include "base/memory.h"
-#include "base/text.h"
+#include "clod/version.h"
+#include "report/calibration_figures.h"
+#include "report/figure_json.h"
 #include "report/html.h"
+#include "report/rounded.h"
 #include "report/shear_rows.h"
-#include "report/table.h"
 
 #define MOST_BYTES ((size_t)1 << 26)
-#define GRID 201 ///< points of a section, at most
-
-/** A column of a table: a key of an object, or a text of it. */
-typedef struct column {
-    const char *key, *head;
-} column;
-
-static const column PARAMETERS[] = {{"mean", "mean"},
-                                    {"low", "low"},
-                                    {"high", "high"},
-                                    {"unit", "unit"},
-                                    {"from", "range from"},
-                                    {"to", "to"},
-                                    {"scale", "scale"},
-                                    {"relative_width", "width over the range's"},
-                                    {"identified", "identified by the targets"},
-                                    {"rhat", "R-hat"},
-                                    {"effective_samples", "independent samples"}};
-static const column TARGETS[] = {{"measured", "measured"},
-                                 {"error", "error"},
-                                 {"discrepancy", "discrepancy"},
-                                 {"model", "model"},
-                                 {"low", "low"},
-                                 {"high", "high"},
-                                 {"unit", "unit"},
-                                 {"off", "off, in deviations"}};
-static const column SURROGATES[] = {{"kind", "surrogate"},
-                                    {"runs", "runs"},
-                                    {"packing_deviation", "between packings"},
-                                    {"left_out_error", "error of left-out points"},
-                                    {"q2", "Q2"},
-                                    {"within_two_deviations", "within two deviations"}};
-#define COUNT(columns) (sizeof(columns) / sizeof((columns)[0]))
 
 bool clod_calibration_page_is(const char *folder)
 {
@@ -56,30 +27,87 @@ bool clod_calibration_page_is(const char *folder)
     return access(path, F_OK) == 0;
 }
 
-static void put_heads(FILE *out, const char *first, const column *columns, size_t count)
+/** Begin a table; heads are parted by bars. */
+static void put_heads(FILE *out, const char *heads)
 {
-    fputs("<div class=\"scroll\"><table><thead><tr>", out);
-    clod_html_cell(out, "th", first);
-    for (size_t k = 0; k < count; k++) {
-        clod_html_cell(out, "th", columns[k].head);
+    fputs("<div class=\"scroll\"><table class=\"copied\"><thead><tr><th>", out);
+    for (const char *at = heads; *at != '\0'; at++) {
+        if (*at == '|') {
+            fputs("</th><th>", out);
+        } else {
+            fputc(*at, out);
+        }
     }
-    fputs("</tr></thead>\n<tbody>", out);
+    fputs("</th></tr></thead>\n<tbody>", out);
 }
 
-static void put_row(FILE *out, const char *name, const json_t *from, const column *columns,
-                    size_t count)
+/** "name [unit]" as the head of a row. */
+static void put_name(FILE *out, const char *name, const json_t *about)
 {
-    fputs("<tr>", out);
-    clod_html_cell(out, "th", name);
-    for (size_t k = 0; k < count; k++) {
-        const json_t *value = json_object_get(from, columns[k].key);
-        char number[48] = "";
-        if (json_is_number(value)) {
-            snprintf(number, sizeof number, "%.4g", json_number_value(value));
-        }
-        clod_html_cell(out, "td", json_is_string(value) ? json_string_value(value) : number);
+    const char *unit = json_string_value(json_object_get(about, "unit"));
+    fputs("<tr><th>", out);
+    clod_html_text(out, name);
+    if (unit != NULL && unit[0] != '\0' && strcmp(unit, "1") != 0) {
+        fputs(" [", out);
+        clod_html_text(out, unit);
+        fputs("]", out);
     }
-    fputs("</tr>\n", out);
+    fputs("</th>", out);
+}
+
+/** A number with four digits, or with those of what it is uncertain by. */
+static void put_number(FILE *out, const json_t *from, const char *key, double error)
+{
+    const double value = clod_shear_number(from, key), none = (double)NAN;
+    clod_rounded_begin(out, "td", value, none, "");
+    if (isfinite(value) && error > 0.0) {
+        char text[48];
+        clod_rounded_text(text, clod_rounded_of(value, error, 3), value);
+        fputs(text, out);
+    } else if (isfinite(value)) {
+        clod_rounded_put(out, value, none, none, CLOD_ROUNDED_SHORT, "");
+    }
+    fputs("</td>", out);
+}
+
+static void put_word(FILE *out, const json_t *from, const char *key)
+{
+    clod_html_cell(out, "td", json_string_value(json_object_get(from, key)));
+}
+
+/** Half of the interval: its digits are those of the mean. */
+static double half_of(const json_t *from)
+{
+    return 0.5 * (clod_shear_number(from, "high") - clod_shear_number(from, "low"));
+}
+
+static void put_range(FILE *out, const json_t *from)
+{
+    const double low = clod_shear_number(from, "low"), high = clod_shear_number(from, "high");
+    char text[2][48];
+    if (isfinite(low) && isfinite(high)) {
+        const clod_rounded how = clod_rounded_of(high, 0.5 * (high - low), 3);
+        clod_rounded_text(text[0], how, low);
+        clod_rounded_text(text[1], how, high);
+        fprintf(out, "%s&nbsp;to&nbsp;%s", text[0], text[1]);
+    }
+}
+
+/** "0.485 to 0.599", with the whole numbers as the title of a cell. */
+static void put_interval(FILE *out, const json_t *from)
+{
+    const double low = clod_shear_number(from, "low"), high = clod_shear_number(from, "high");
+    if (!isfinite(low) || !isfinite(high)) {
+        fputs("<td></td>", out);
+        return;
+    }
+    fputs("<td title=\"", out);
+    clod_figure_json_number(out, low);
+    fputs(" to ", out);
+    clod_figure_json_number(out, high);
+    fputs("\">", out);
+    put_range(out, from);
+    fputs("</td>", out);
 }
 
 /** "ring: phi_e", as the columns of runs.csv have it, without the unit. */
@@ -113,47 +141,125 @@ static void put_targets(FILE *out, const json_t *result, bool held_back, const c
     bool begun = false;
     json_array_foreach(json_object_get(result, "targets"), k, target)
     {
+        const double value = clod_shear_number(target, "measured");
+        const double error = clod_shear_number(target, "error");
+        const char *unit = json_string_value(json_object_get(target, "unit"));
         if (json_is_true(json_object_get(target, "held_back")) != held_back) {
             continue;
         }
         if (!begun) {
             fprintf(out, "<h3>%s</h3>\n", title);
-            put_heads(out, "target", TARGETS, COUNT(TARGETS));
+            put_heads(out, "target|measured|discrepancy|model|interval|off, in deviations");
         }
         begun = true;
-        put_row(out, name_of(target), target, TARGETS, COUNT(TARGETS));
+        put_name(out, name_of(target), target);
+        clod_rounded_begin(out, "td", value, error, unit != NULL ? unit : "");
+        clod_rounded_put(out, value, error, (double)NAN, CLOD_ROUNDED_SHORT, "");
+        fputs("</td>", out);
+        put_number(out, target, "discrepancy", (double)NAN);
+        put_number(out, target, "model", half_of(target));
+        put_interval(out, target);
+        put_number(out, target, "off", 0.1);
+        fputs("</tr>\n", out);
     }
     fputs(begun ? "</tbody></table></div>\n" : "", out);
 }
 
-static void put_tables(FILE *out, const json_t *result)
+static void put_parameters(FILE *out, const json_t *result)
 {
     const char *name;
     const json_t *one;
-    size_t k;
-    clod_html_section(out, "results", "Results");
-    put_heads(out, "parameter", PARAMETERS, COUNT(PARAMETERS));
+    put_heads(out,
+              "parameter|mean|interval|prior range|scale|width over the range's|identified by "
+              "the targets|R-hat|independent samples");
     json_object_foreach(json_object_get(result, "parameters"), name, one)
     {
-        put_row(out, name, one, PARAMETERS, COUNT(PARAMETERS));
+        put_name(out, name, one);
+        put_number(out, one, "mean", half_of(one));
+        put_interval(out, one);
+        fprintf(out, "<td>%.4g&nbsp;to&nbsp;%.4g</td>", clod_shear_number(one, "from"),
+                clod_shear_number(one, "to"));
+        put_word(out, one, "scale");
+        put_number(out, one, "relative_width", 0.1);
+        put_word(out, one, "identified");
+        put_number(out, one, "rhat", 0.01);
+        put_number(out, one, "effective_samples", 10.0);
+        fputs("</tr>\n", out);
     }
     fputs("</tbody></table></div>\n", out);
-    put_targets(out, result, false, "Targets that were used");
-    put_targets(out, result, true, "Targets that were held back, predicted");
-    fprintf(
-        out,
-        "<p class=\"note\">low and high: %.3g %% intervals; of a target, of what a laboratory "
-        "would measure. Posterior predictive p = %.2g, chi-square %.3g.</p>\n",
-        100.0 * clod_shear_number(result, "level"), clod_shear_number(result, "p_value"),
-        clod_shear_number(result, "chi_square"));
+}
+
+static void put_surrogates(FILE *out, const json_t *result)
+{
+    size_t k;
+    const json_t *one;
     fputs("<h3>Surrogates, each point predicted by the others</h3>\n", out);
-    put_heads(out, "target", SURROGATES, COUNT(SURROGATES));
+    put_heads(out,
+              "target|surrogate|runs|between packings|error of left-out points|Q2|within two "
+              "deviations");
     json_array_foreach(json_object_get(result, "targets"), k, one)
     {
-        put_row(out, name_of(one), json_object_get(one, "surrogate"), SURROGATES,
-                COUNT(SURROGATES));
+        const json_t *about = json_object_get(one, "surrogate");
+        put_name(out, name_of(one), one);
+        put_word(out, about, "kind");
+        put_number(out, about, "runs", (double)NAN);
+        put_number(out, about, "packing_deviation", (double)NAN);
+        put_number(out, about, "left_out_error", (double)NAN);
+        put_number(out, about, "q2", 0.1);
+        put_number(out, about, "within_two_deviations", 0.1);
+        fputs("</tr>\n", out);
     }
     fputs("</tbody></table></div>\n", out);
+}
+
+static void put_tables(FILE *out, const json_t *result)
+{
+    clod_html_section(out, "results", "Numbers");
+    put_parameters(out, result);
+    put_targets(out, result, false, "Targets that were used");
+    put_targets(out, result, true, "Targets that were held back, predicted");
+    fprintf(out,
+            "<p class=\"note\">Intervals: %.3g %%; of a target, of what a laboratory "
+            "would measure. Posterior predictive p = %.2g, chi-square %.3g.</p>\n",
+            100.0 * clod_shear_number(result, "level"), clod_shear_number(result, "p_value"),
+            clod_shear_number(result, "chi_square"));
+    put_surrogates(out, result);
+}
+
+/** Each parameter: mean and interval. */
+static void put_cards(FILE *out, const json_t *result)
+{
+    const double level = 100.0 * clod_shear_number(result, "level"), none = (double)NAN;
+    const char *name;
+    const json_t *one;
+    fputs("<div class=\"cards\">\n", out);
+    json_object_foreach(json_object_get(result, "parameters"), name, one)
+    {
+        const double mean = clod_shear_number(one, "mean");
+        const char *unit = json_string_value(json_object_get(one, "unit"));
+        const char *identified = json_string_value(json_object_get(one, "identified"));
+        char text[48];
+        fputs("<div class=\"card\">", out);
+        clod_rounded_begin(out, "b", mean, none, unit != NULL ? unit : "");
+        clod_rounded_text(text, clod_rounded_of(mean, half_of(one), 3), mean);
+        fprintf(out, "%s <small>", text);
+        clod_html_text(out, unit != NULL ? unit : "");
+        fputs("</small></b><span>", out);
+        clod_html_text(out, name);
+        fprintf(out, "; %.3g %% interval ", level);
+        put_range(out, one);
+        fputs("; identified: ", out);
+        clod_html_text(out, identified);
+        fputs("</span></div>\n", out);
+    }
+    const double p = clod_shear_number(result, "p_value");
+    if (isfinite(p)) {
+        fprintf(out,
+                "<div class=\"card\"><b>%.2g</b><span>posterior predictive p of the targets: "
+                "below 0.05 the model does not reach them</span></div>\n",
+                p);
+    }
+    fputs("</div>\n", out);
 }
 
 static void put_warnings(FILE *out, const json_t *result)
@@ -173,114 +279,64 @@ static void put_warnings(FILE *out, const json_t *result)
     fputs("</ul></section>\n", out);
 }
 
-/** Numbers of a JSON list; how many. */
-static size_t take(const json_t *list, double to[GRID])
+/** The version of clod that made the runs: the second line of design.txt; "" if there is none. */
+static void read_version(const char *folder, char version[160])
 {
-    size_t count = 0;
-    size_t k;
-    const json_t *one;
-    json_array_foreach(list, k, one)
-    {
-        if (count < GRID) {
-            to[count++] = json_is_number(one) ? json_number_value(one) : (double)NAN;
+    static const char BEGIN[] = "\nclod ";
+    char path[PATH_MAX];
+    char *text;
+    size_t length;
+    clod_status none = {CLOD_OK, ""};
+    version[0] = '\0';
+    snprintf(path, sizeof path, "%s/design.txt", folder);
+    if (clod_input_read_regular(path, MOST_BYTES, &text, &length, &none)) {
+        const char *at = strstr(text, BEGIN);
+        if (at != NULL) {
+            at += strlen(BEGIN);
+            snprintf(version, 160, "%.*s", (int)strcspn(at, "\n"), at);
+        }
+        clod_memory_free(text);
+    }
+}
+
+/** When calibration.json was written, UTC. */
+static void read_time(const char *folder, char text[40])
+{
+    char path[PATH_MAX];
+    struct stat about;
+    struct tm parts;
+    snprintf(path, sizeof path, "%s/calibration.json", folder);
+    if (stat(path, &about) != 0 || gmtime_r(&about.st_mtime, &parts) == NULL ||
+        strftime(text, 40, "%Y-%m-%d %H:%M UTC", &parts) == 0) {
+        snprintf(text, 40, "not known");
+    }
+}
+
+static void put_sources(FILE *out, const char *folder, const json_t *result)
+{
+    static const struct {
+        const char *key, *text;
+    } NUMBERS[] = {{"points", "points of the design"},
+                   {"packings", "packings of each"},
+                   {"failed_runs", "runs that failed"}};
+    char version[160], text[64];
+    clod_html_section(out, "provenance", "Where this comes from");
+    fputs("<div class=\"scroll\"><table class=\"facts\">", out);
+    clod_html_fact(out, "results folder", folder);
+    read_version(folder, version);
+    clod_html_fact(out, "runs computed by", version[0] != '\0' ? version : "not known");
+    read_time(folder, text);
+    clod_html_fact(out, "calibration.json written", text);
+    clod_html_fact(out, "page written by", clod_version_text());
+    clod_html_fact(out, "plan", json_string_value(json_object_get(result, "plan")));
+    for (size_t k = 0; k < sizeof NUMBERS / sizeof *NUMBERS; k++) {
+        const double number = clod_shear_number(result, NUMBERS[k].key);
+        if (isfinite(number)) {
+            snprintf(text, sizeof text, "%.0f", number);
+            clod_html_fact(out, NUMBERS[k].text, text);
         }
     }
-    return count;
-}
-
-/** The surrogate along a parameter, the others at their means, and two deviations to both sides. */
-static void add_section(clod_figure *figure, const json_t *section)
-{
-    double x[GRID], mean[GRID], deviation[GRID], low[GRID], high[GRID];
-    const size_t count = take(json_object_get(section, "at"), x);
-    if (count == 0 || take(json_object_get(section, "mean"), mean) != count ||
-        take(json_object_get(section, "deviation"), deviation) != count) {
-        return;
-    }
-    for (size_t i = 0; i < count; i++) {
-        low[i] = mean[i] - 2.0 * deviation[i];
-        high[i] = mean[i] + 2.0 * deviation[i];
-    }
-    clod_figure_add(figure, "surrogate", CLOD_FIGURE_LINE, 0, count, x, mean, NULL);
-    clod_figure_add(figure, "two deviations", CLOD_FIGURE_DOTTED, 0, count, x, low, NULL);
-    clod_figure_add(figure, "", CLOD_FIGURE_DOTTED, 0, count, x, high, NULL);
-}
-
-/** Points of the runs; x and y are the columns with these names, which stand without their units. */
-static void add_runs(clod_figure *figure, const clod_table *runs, const char *parameter,
-                     const char *target)
-{
-    const int at = clod_table_find(runs, parameter);
-    const int of = clod_table_find(runs, target);
-    double *x = at >= 0 ? clod_table_numbers(runs, at) : NULL;
-    double *y = of >= 0 ? clod_table_numbers(runs, of) : NULL;
-    if (x != NULL && y != NULL) {
-        clod_figure_add(figure, "runs", CLOD_FIGURE_POINTS, 1, runs->rows, x, y, NULL);
-    }
-    clod_memory_free(x);
-    clod_memory_free(y);
-}
-
-/** A target over a parameter: runs, surrogate, measured value with its error. */
-static void put_figure(clod_sheet *sheet, const clod_table *runs, const json_t *target,
-                       const char *parameter, const json_t *about)
-{
-    char title[CLOD_FIGURE_TITLE], of[CLOD_FIGURE_NAME], over[64];
-    clod_figure figure;
-    const char *name = name_of(target);
-    clod_text_fit(of, sizeof of, sizeof of, name, strlen(name));
-    clod_text_fit(over, sizeof over, sizeof over, parameter, strlen(parameter));
-    snprintf(title, sizeof title, "%s over %s", of, over);
-    clod_figure_init(&figure, "target", title);
-    const char *unit = json_string_value(json_object_get(about, "unit"));
-    const char *measured_in = json_string_value(json_object_get(target, "unit"));
-    clod_figure_axis_set(&figure.x, parameter, unit != NULL ? unit : "", 1.0);
-    clod_figure_axis_set(&figure.y, name, measured_in != NULL ? measured_in : "", 1.0);
-    const char *scale = json_string_value(json_object_get(about, "scale"));
-    figure.log_x = scale != NULL && strcmp(scale, "log") == 0;
-    add_section(&figure, json_object_get(
-                             json_object_get(json_object_get(target, "surrogate"), "sections"),
-                             parameter));
-    add_runs(&figure, runs, parameter, name);
-    const double x[2] = {clod_shear_number(about, "from"), clod_shear_number(about, "to")};
-    const double value = clod_shear_number(target, "measured");
-    const double error = clod_shear_number(target, "error");
-    const double y[3][2] = {
-        {value, value}, {value - error, value - error}, {value + error, value + error}};
-    clod_figure_add(&figure, "measured", CLOD_FIGURE_LINE, CLOD_FIGURE_GREY, 2, x, y[0], NULL);
-    clod_figure_add(&figure, "its error", CLOD_FIGURE_DASHED, CLOD_FIGURE_GREY, 2, x, y[1],
-                    NULL);
-    clod_figure_add(&figure, "", CLOD_FIGURE_DASHED, CLOD_FIGURE_GREY, 2, x, y[2], NULL);
-    clod_sheet_figure(sheet, &figure);
-}
-
-static bool put_figures(clod_sheet *sheet, const char *folder, const json_t *result,
-                        clod_status *status)
-{
-    clod_table runs;
-    size_t t;
-    const json_t *target;
-    const char *parameter;
-    const json_t *about;
-    const bool good = clod_table_read(&runs, folder, "runs.csv", status);
-    clod_html_section(sheet->body, "targets", "Targets over parameters");
-    clod_sheet_columns(sheet, true);
-    json_array_foreach(json_object_get(result, "targets"), t, target)
-    {
-        json_object_foreach(json_object_get(result, "parameters"), parameter, about)
-        {
-            if (good) {
-                put_figure(sheet, &runs, target, parameter, about);
-            }
-        }
-    }
-    clod_sheet_columns(sheet, false);
-    fputs(
-        "<p class=\"note\">Points: one packing each, wherever the other parameters were. Line: the "
-        "surrogate, the other parameters at their means.</p>\n",
-        sheet->body);
-    clod_table_fini(&runs);
-    return good;
+    fputs("</table></div>\n", out);
 }
 
 /** Report and card as they are. */
@@ -303,6 +359,7 @@ static void put_texts(FILE *out, const char *folder)
 bool clod_calibration_page_put(clod_sheet *sheet, const char *folder, char **title,
                                clod_status *status)
 {
+    char time[40];
     *title = NULL;
     json_t *result = clod_json_read(folder, "calibration.json", status);
     if (result == NULL || !check_names(result, folder, status)) {
@@ -317,10 +374,14 @@ bool clod_calibration_page_put(clod_sheet *sheet, const char *folder, char **tit
     clod_html_text(sheet->body, *title != NULL ? *title : "");
     fputs("</h1><p class=\"when\">", sheet->body);
     clod_html_text(sheet->body, folder);
-    fputs("</p></header>\n", sheet->body);
+    read_time(folder, time);
+    fprintf(sheet->body, ", computed until %s</p></header>\n", time);
     put_warnings(sheet->body, result);
+    put_cards(sheet->body, result);
+    good = good && clod_calibration_figures_posterior(sheet, folder, result, status);
     put_tables(sheet->body, result);
-    good = good && put_figures(sheet, folder, result, status);
+    good = good && clod_calibration_figures_targets(sheet, folder, result, status);
+    put_sources(sheet->body, folder, result);
     put_texts(sheet->body, folder);
     json_decref(result);
     return good;

@@ -1,11 +1,15 @@
 #include "report/cards.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "report/html.h"
+#include "report/rounded.h"
 #include "report/run_kinds.h"
 #include "report/shear_rows.h"
 #include "report/wall_page.h"
+
+#define MOST_OF_MEASURE 4 ///< cards of one measure: tables have them all
 
 typedef struct card {
     const char *key, *text, *format;
@@ -62,27 +66,34 @@ static void put_balance(FILE *out, const json_t *balance)
               "grains lost");
 }
 
+void clod_cards_result(FILE *out, const json_t *from, const clod_result_row *row,
+                       const char *more)
+{
+    fputs("<div class=\"card\">", out);
+    clod_result_table_value(out, "b", from, row, false);
+    fprintf(out, row->symbol[0] != '\0' ? "</b><span>%s, %s" : "</b><span>%s%s", row->symbol,
+            row->text);
+    if (more != NULL) {
+        fputs(": ", out);
+        clod_html_text(out, more);
+    }
+    fputs("</span></div>\n", out);
+}
+
 /** Results of one yield locus. */
 static void put_locus(FILE *out, const json_t *locus)
 {
     static const char *const KEYS[] = {"phi_e_deg",  "phi_lin_deg", "c_Pa",
                                        "sigma_c_Pa", "ffc",         "rho_b_kg_m3"};
     for (size_t k = 0; k < sizeof KEYS / sizeof *KEYS; k++) {
-        const clod_shear_row *row = clod_shear_row_of(KEYS[k]);
-        fputs("<div class=\"card\"><b>", out);
-        clod_shear_value(out, locus, row);
-        fprintf(out, " <small>%s</small></b><span>%s, %s", row->unit, row->symbol, row->text);
-        if (row == clod_shear_row_of("ffc")) {
-            fputs(": ", out);
-            clod_html_text(out, json_string_value(json_object_get(locus, "flow")));
-        }
-        fputs("</span></div>\n", out);
+        const bool class = strcmp(KEYS[k], "ffc") == 0;
+        clod_cards_result(out, locus, clod_shear_row_of(KEYS[k]),
+                          class ? json_string_value(json_object_get(locus, "flow")) : NULL);
     }
 }
 
 static void put_strengths(FILE *out, const json_t *strengths)
 {
-    static const card EACH = {"sigma_c_Pa", NULL, "%.3f kPa", 1e-3};
     size_t k;
     const json_t *one;
     json_array_foreach(strengths, k, one)
@@ -90,9 +101,9 @@ static void put_strengths(FILE *out, const json_t *strengths)
         char text[128];
         snprintf(text, sizeof text, "unconfined strength after %.3f kPa: ff<sub>c</sub> %.2f",
                  1e-3 * clod_shear_number(one, "sigma_1_Pa"), clod_shear_number(one, "ffc"));
-        card made = EACH;
-        made.text = text;
-        put_card(out, &made, one);
+        const clod_result_row row = {"sigma_c_Pa",       text, "",   "kPa", 1e-3, 3,
+                                     "sigma_c_error_Pa", NULL, false};
+        clod_cards_result(out, one, &row, NULL);
     }
 }
 
@@ -114,8 +125,46 @@ void clod_cards_wall(FILE *out, const clod_run_files *run)
     clod_wall_page_cards(out, json_object_get(run->summary, "wall_locus"));
 }
 
+/** A number of each object of a measure, with its name: "angle of repose, heap". */
+static size_t put_measure(FILE *out, const json_t *measure, const clod_result_row *row)
+{
+    size_t count = 0;
+    const char *name;
+    json_t *one;
+    json_object_foreach((json_t *)measure, name, one)
+    {
+        if (count < MOST_OF_MEASURE && isfinite(clod_result_table_number(one, row->key))) {
+            clod_cards_result(out, one, row, name);
+            count++;
+        }
+    }
+    return count;
+}
+
+/** What the case was made to measure; how many cards. */
+static size_t put_measures(FILE *out, const json_t *summary)
+{
+    static const clod_result_row ANGLE = {"angle_deg", "angle of repose", "",   "deg", 1.0,
+                                          2,           "error_deg",       NULL, false};
+    static const clod_result_row LACEY = {
+        "lacey", "mixing index (Lacey)", "", "", 1.0, 3, NULL, NULL, false};
+    static const clod_result_row FLOW = {"mass_flow_kg_per_s",
+                                         "mass flow, mean and deviation",
+                                         "",
+                                         "kg/s",
+                                         1.0,
+                                         CLOD_ROUNDED_SHORT,
+                                         NULL,
+                                         NULL,
+                                         false};
+    return put_measure(out, json_object_get(summary, "repose"), &ANGLE) +
+           put_measure(out, json_object_get(summary, "mixing"), &LACEY) +
+           put_measure(out, json_object_get(summary, "gauges"), &FLOW);
+}
+
 void clod_cards_free(FILE *out, const clod_run_files *run)
 {
+    const size_t measures = put_measures(out, run->summary);
     for (size_t k = 0; k < sizeof FREE / sizeof *FREE; k++) {
         put_card(out, &FREE[k], run->summary);
     }
@@ -125,7 +174,9 @@ void clod_cards_free(FILE *out, const clod_run_files *run)
         put_balance(out, balance);
         return;
     }
-    for (size_t k = 0; k < sizeof BED / sizeof *BED; k++) {
+    const size_t beds = sizeof BED / sizeof *BED;
+    for (size_t k = 0; k < (measures > 0 ? 1 : beds);
+         k++) { // kinetic energy where nothing was asked for
         put_card(out, &BED[k], run->summary);
     }
 }

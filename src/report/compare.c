@@ -6,7 +6,8 @@
 #include <stdio.h>
 
 #include "base/memory.h"
-#include "report/compare_tables.h"
+#include "report/compare_head.h"
+#include "report/compare_keys.h"
 #include "report/html.h"
 #include "report/report.h"
 #include "report/run_kinds.h"
@@ -43,35 +44,27 @@ static void put_head(FILE *out, const clod_run_files *runs, size_t count)
     fprintf(out, "%zu runs: ", count);
     clod_html_text(out, runs[0].kind->text);
     fputs("</h1></header>\n", out);
-    bool any = false;
-    for (size_t k = 0; k < count; k++) {
-        any = any || runs[k].report == NULL;
-    }
-    if (any) {
-        fputs("<section class=\"warnings\"><h2>Not complete</h2><ul>", out);
-        for (size_t k = 0; k < count; k++) {
-            if (runs[k].report == NULL) {
-                clod_html_cell(out, "li", runs[k].folder);
-            }
-        }
-        fputs("</ul></section>\n", out);
-    }
 }
 
 static bool put_runs(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                      const json_t *lab, clod_status *status)
 {
     put_head(sheet->body, runs, count);
+    if (!clod_compare_head_warnings(sheet->body, runs, count, lab, status)) {
+        return false;
+    }
     clod_html_section(sheet->body, "results", "Results");
     if (!runs[0].kind->results(sheet->body, runs, count, lab, status)) {
         return false;
     }
     clod_html_section(sheet->body, "differences", "What differs between the cases");
-    if (!clod_compare_tables_keys(sheet->body, runs, count, status)) {
+    if (!clod_compare_keys_put(sheet->body, runs, count, status)) {
         return false;
     }
     clod_html_section(sheet->body, "figures", "Figures");
-    return runs[0].kind->figures(sheet, runs, count, lab, status);
+    const bool good = runs[0].kind->figures(sheet, runs, count, lab, status);
+    clod_compare_head_sources(sheet->body, runs, count);
+    return good;
 }
 
 bool clod_report_compare(const clod_report_options *options, char **path, clod_status *status)

@@ -32,6 +32,7 @@ typedef enum clod_figure_style {
     CLOD_FIGURE_DASH_DOT,
     CLOD_FIGURE_POINTS,
     CLOD_FIGURE_HOLLOW, ///< points with no filling
+    CLOD_FIGURE_DOTS,   ///< small points, of which there are many
     CLOD_FIGURE_ARROWS, ///< a line on a light edge, to be seen on any colour of a map
     CLOD_FIGURE_STYLES,
 } clod_figure_style;

@@ -8,7 +8,8 @@
 #include "report/figure_scale.h"
 #include "report/html.h"
 
-#define WIDTH 720.0
+#define WIDE 720.0   ///< of curves at equal scale: across the page
+#define NARROW 480.0 ///< of others: two stand side by side, on paper too, and can be read
 #define LEFT 72.0
 #define RIGHT 18.0
 #define BAR 92.0 ///< right of a map: its colour bar
@@ -17,13 +18,12 @@
 #define ROW 20.0   ///< of the legend
 #define LETTER 6.8 ///< mean width of one
 #define KEY 46.0   ///< of a curve in the legend: its line, and gaps
-#define LETTERS ((size_t)((WIDTH - LEFT - KEY) / LETTER)) ///< that a row of it has room for
 
 /** Where things are in the drawing. */
 typedef struct frame {
     clod_figure_scale x, y;
     double right, bottom; ///< of the plot
-    double height;        ///< of all
+    double width, height; ///< of all
 } frame;
 
 static const char *colour_of(int colour)
@@ -48,13 +48,20 @@ static void put_text(FILE *out, double x, double y, const char *more, const char
     fputs("</text>\n", out);
 }
 
+/** @param room  length of the axis; a name that is longer has smaller letters */
 static void put_axis_name(FILE *out, const clod_figure_axis *axis, double x, double y,
-                          const char *more)
+                          double room, const char *more)
 {
-    char text[96];
+    char text[96], size[160];
     snprintf(text, sizeof text, axis->unit[0] != '\0' ? "%s [%s]" : "%s", axis->text,
              axis->unit);
-    put_text(out, x, y, more, text);
+    const double length = LETTER * (double)clod_text_characters(text);
+    if (length > room) {
+        snprintf(size, sizeof size, "%s font-size=\"%.1f\"", more, 13.0 * room / length);
+    } else {
+        snprintf(size, sizeof size, "%s", more);
+    }
+    put_text(out, x, y, size, text);
 }
 
 /** Begin with the bottom of the plot for x, with its left edge for y: a line across, but for maps. */
@@ -99,6 +106,10 @@ static void put_mark(FILE *out, const clod_figure_curve *curve, double x, double
     static const char *const SHAPES[CLOD_FIGURE_ROUNDS] = {
         "", "m-4 -4h8v8h-8z", "m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z", "m0 -5.5l5 9h-10z"};
     const char *colour = colour_of(curve->colour);
+    if (curve->style == CLOD_FIGURE_DOTS) {
+        fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\" fill=\"%s\"/>\n", x, y, colour);
+        return;
+    }
     if (curve->round == 0) {
         fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\"", x, y);
     } else {
@@ -156,7 +167,8 @@ static void put_line(FILE *out, const frame *self, const clod_figure_curve *curv
 
 static bool is_marks(clod_figure_style style)
 {
-    return style == CLOD_FIGURE_POINTS || style == CLOD_FIGURE_HOLLOW;
+    return style == CLOD_FIGURE_POINTS || style == CLOD_FIGURE_HOLLOW ||
+           style == CLOD_FIGURE_DOTS;
 }
 
 /** One row of the legend after the other; NULL: only how many rows there are. */
@@ -167,12 +179,13 @@ static int put_legend(FILE *out, const frame *self, const clod_figure *of)
     for (size_t c = 0; c < of->count; c++) {
         const clod_figure_curve *curve = &of->curves[c];
         char name[CLOD_FIGURE_NAME];
-        clod_text_fit(name, sizeof name, LETTERS, curve->name, strlen(curve->name));
+        const size_t letters = (size_t)((self->width - LEFT - KEY) / LETTER); // of a row
+        clod_text_fit(name, sizeof name, letters, curve->name, strlen(curve->name));
         const double wide = KEY + LETTER * (double)clod_text_characters(name);
         if (curve->name[0] == '\0') {
             continue;
         }
-        if (x > LEFT && x + wide > WIDTH) {
+        if (x > LEFT && x + wide > self->width) {
             x = LEFT;
             row++;
         }
@@ -202,8 +215,9 @@ static int put_legend(FILE *out, const frame *self, const clod_figure *of)
 /** Ranges of the axes and size of the plot. */
 static void lay_out(frame *self, const clod_figure *of)
 {
-    self->right = WIDTH - (of->map.number != NULL ? BAR : RIGHT);
-    double height = 300.0;
+    self->width = of->equal && of->map.number == NULL ? WIDE : NARROW;
+    self->right = self->width - (of->map.number != NULL ? BAR : RIGHT);
+    double height = 250.0;
     clod_figure_scale_make(&self->x, of, false);
     clod_figure_scale_make(&self->y, of, true);
     if (of->equal) {
@@ -252,7 +266,7 @@ static void put_map(FILE *out, const frame *self, const clod_figure *of)
         const double middle = 0.5 * (TOP + self->bottom), x = self->right + BAR - 12.0;
         snprintf(turned, sizeof turned,
                  " text-anchor=\"middle\" transform=\"rotate(-90 %.1f %.1f)\"", x, middle);
-        put_axis_name(out, &of->map.value, x, middle, turned);
+        put_axis_name(out, &of->map.value, x, middle, self->bottom, turned);
     }
 }
 
@@ -265,7 +279,7 @@ void clod_figure_svg(FILE *out, const clod_figure *figure)
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" role=\"img\" "
             "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#1d2733\">\n"
             "<title>",
-            WIDTH, self.height);
+            self.width, self.height);
     clod_html_text(out, figure->title);
     fputs("</title>\n", out);
     put_map(out, &self, figure);
@@ -277,11 +291,11 @@ void clod_figure_svg(FILE *out, const clod_figure *figure)
     }
     fputs("\" fill=\"none\" stroke=\"#1d2733\"/>\n", out);
     put_axis_name(out, &figure->x, 0.5 * (LEFT + self.right), self.bottom + 38.0,
-                  " text-anchor=\"middle\"");
+                  self.width - LEFT, " text-anchor=\"middle\"");
     const double middle = 0.5 * (TOP + self.bottom);
     snprintf(turned, sizeof turned, " text-anchor=\"middle\" transform=\"rotate(-90 16 %.1f)\"",
              middle);
-    put_axis_name(out, &figure->y, 16.0, middle, turned);
+    put_axis_name(out, &figure->y, 16.0, middle, self.bottom + TOP, turned);
     put_legend(out, &self, figure);
     fputs("</svg>\n", out);
 }

@@ -20,58 +20,75 @@ void clod_head_put(FILE *out, const clod_run_files *run)
     fputs("</p></header>\n", out);
 }
 
-static size_t count_warnings(const json_t *study)
+static size_t put_list(FILE *out, const json_t *list)
 {
-    size_t count = json_array_size(json_object_get(study, "warnings"));
+    size_t k;
+    const json_t *text;
+    json_array_foreach(list, k, text)
+    {
+        const char *words = json_string_value(text);
+        if (out != NULL) {
+            clod_html_cell(out, "li", words != NULL ? words : "");
+        }
+    }
+    return json_array_size(list);
+}
+
+/** Warnings of an evaluation. @param out  NULL: only count them */
+static size_t put_study(FILE *out, const json_t *study)
+{
+    size_t count = 0;
     size_t g;
     const json_t *locus;
     json_array_foreach(json_object_get(study, "loci"), g, locus)
     {
-        count += json_array_size(json_object_get(locus, "warnings"));
+        count += put_list(out, json_object_get(locus, "warnings"));
     }
-    return count;
+    return count + put_list(out, json_object_get(study, "warnings"));
+}
+
+size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab)
+{
+    const char *incomplete = json_string_value(json_object_get(run->summary, "incomplete"));
+    if (run->report == NULL && out != NULL) {
+        clod_html_cell(out, "li",
+                       "The run is not complete: this page shows what there is so far.");
+    }
+    if (incomplete != NULL && out != NULL) {
+        clod_html_cell(out, "li", incomplete);
+    }
+    return (size_t)(run->report == NULL) + (size_t)(incomplete != NULL) +
+           put_study(out, json_object_get(run->summary, "locus")) +
+           put_list(out, json_object_get(run->summary, "warnings")) +
+           clod_free_warnings_put(out, run->summary) + clod_shear_lab_warnings(out, run, lab);
+}
+
+size_t clod_head_lab_items(FILE *out, const json_t *lab)
+{
+    return put_study(out, lab);
 }
 
 void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
 {
-    const json_t *study = json_object_get(run->summary, "locus");
-    const json_t *own = json_object_get(run->summary, "warnings");
-    const char *incomplete = json_string_value(json_object_get(run->summary, "incomplete"));
-    const size_t count = count_warnings(study) + json_array_size(own) +
-                         clod_free_warnings_put(NULL, run->summary);
-    if (count + count_warnings(lab) == 0 && incomplete == NULL && run->report != NULL) {
+    const size_t own = clod_head_items(NULL, run, lab);
+    const size_t labs = clod_head_lab_items(NULL, lab);
+    if (own + labs == 0) {
         // free runs have no checks that could warn, but for their streams
         fputs(run->kind->checked ? "<p class=\"good\">No warnings.</p>\n" : "", out);
         return;
     }
     fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>", out);
-    if (run->report == NULL) {
-        clod_html_cell(out, "li",
-                       "The run is not complete: this page shows what there is so far.");
-    }
-    if (incomplete != NULL) {
-        clod_html_cell(out, "li", incomplete);
-    }
-    clod_shear_warnings(out, study);
-    size_t k;
-    const json_t *text;
-    json_array_foreach(own, k, text)
-    {
-        const char *words = json_string_value(text);
-        clod_html_cell(out, "li", words != NULL ? words : "");
-    }
-    clod_free_warnings_put(out, run->summary);
+    clod_head_items(out, run, lab);
     fputs("</ul>", out);
-    if (count_warnings(lab) > 0) {
+    if (labs > 0) {
         fputs("<h3>Laboratory points</h3><ul>", out);
-        clod_shear_warnings(out, lab);
+        clod_head_lab_items(out, lab);
         fputs("</ul>", out);
     }
     fputs("</section>\n", out);
 }
 
-/** A number of the summary, or of the first of its parts. */
-static const json_t *look_up(const json_t *summary, const char *key)
+const json_t *clod_head_number(const json_t *summary, const char *key)
 {
     const json_t *own = json_object_get(summary, key);
     const json_t *part = json_array_get(json_object_get(summary, "parts"), 0);
@@ -95,7 +112,7 @@ void clod_head_sources(FILE *out, const clod_run_files *run)
     clod_html_fact(out, "begun", run->began != NULL ? run->began : "not known");
     clod_html_fact(out, "last entry of the log", run->ended != NULL ? run->ended : "not known");
     for (size_t k = 0; k < sizeof NUMBERS / sizeof *NUMBERS; k++) {
-        const json_t *value = look_up(run->summary, NUMBERS[k].key);
+        const json_t *value = clod_head_number(run->summary, NUMBERS[k].key);
         if (json_is_number(value)) {
             char text[64];
             snprintf(text, sizeof text, NUMBERS[k].format, json_number_value(value));

@@ -15,5 +15,17 @@ void clod_head_put(FILE *out, const clod_run_files *run);
 /** All warnings of a run and of the laboratory's points (NULL: none). */
 void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab);
 
+/**
+ * The warnings of a run, one list item each; how many. @param out  NULL: only count them
+ * @param lab  the laboratory's results (NULL: none): whether they are of another preshear stress
+ */
+size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab);
+
+/** Those of the evaluation of the laboratory's points. */
+size_t clod_head_lab_items(FILE *out, const json_t *lab);
+
+/** A number of the summary, or of the first of its parts; borrowed; NULL: there is none. */
+const json_t *clod_head_number(const json_t *summary, const char *key);
+
 /** The report as text, the case, and what computed it. */
 void clod_head_sources(FILE *out, const clod_run_files *run);

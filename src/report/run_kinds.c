@@ -5,6 +5,7 @@
 #include "config/testers.h"
 #include "report/cards.h"
 #include "report/compare_figures.h"
+#include "report/compare_free.h"
 #include "report/compare_tables.h"
 #include "report/run_pages.h"
 #include "report/shear.h"
@@ -15,7 +16,7 @@ static const clod_run_kind ROWS[CLOD_CASE_KINDS] = {
     [CLOD_CASE_FREE] = {.text = "Free run",
                         .cards = clod_cards_free,
                         .put = clod_run_pages_free,
-                        .results = clod_compare_tables_free,
+                        .results = clod_compare_free_results,
                         .figures = clod_compare_figures_free},
     [CLOD_CASE_RING_SHEAR] = {.text = "Ring shear test",
                               .checked = true,
@@ -42,7 +43,7 @@ static const clod_run_kind ROWS[CLOD_CASE_KINDS] = {
                                  .cards = clod_cards_wall,
                                  .put = clod_wall_page_put,
                                  .lab = clod_wall_page_lab,
-                                 .results = clod_wall_compare_results,
+                                 .results = clod_compare_tables_wall,
                                  .figures = clod_wall_compare_figures},
 };
 

@@ -5,38 +5,41 @@
 #include <string.h>
 
 #include "report/html.h"
+#include "report/rounded.h"
 #include "report/shear_rows.h"
 
 double clod_shear_number(const json_t *object, const char *key)
 {
-    const json_t *value = json_object_get(object, key);
-    if (json_is_object(value)) {
-        value = json_object_get(value, "value");
-    }
-    return json_is_number(value) ? json_number_value(value) : (double)NAN;
+    return clod_result_table_number(object, key);
 }
 
-static double part_of(const json_t *locus, const char *key, const char *part)
-{
-    return clod_shear_number(json_object_get(locus, key), part);
-}
-
-const clod_shear_row CLOD_SHEAR_ROWS[CLOD_SHEAR_ROW_COUNT] = {
-    {"sigma_p_Pa", "preshear normal stress", "&sigma;<sub>pre</sub>", "kPa", 1e-3, 3},
-    {"tau_p_Pa", "preshear shear stress", "&tau;<sub>pre</sub>", "kPa", 1e-3, 3},
-    {"sigma_1_Pa", "major principal stress", "&sigma;<sub>1</sub>", "kPa", 1e-3, 3},
-    {"sigma_2_Pa", "minor principal stress", "&sigma;<sub>2</sub>", "kPa", 1e-3, 3},
-    {"sigma_c_Pa", "unconfined yield strength", "&sigma;<sub>c</sub>", "kPa", 1e-3, 3},
-    {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "", 1.0,
-     2},
-    {"c_Pa", "cohesion", "c", "kPa", 1e-3, 3},
-    {"phi_lin_deg", "angle of the yield locus", "&phi;<sub>lin</sub>", "deg", 1.0, 2},
-    {"phi_e_deg", "effective angle of friction", "&phi;<sub>e</sub>", "deg", 1.0, 2},
-    {"phi_sf_deg", "angle of friction at steady flow", "&phi;<sub>sf</sub>", "deg", 1.0, 2},
-    {"rho_b_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 1},
+const clod_result_row CLOD_SHEAR_ROWS[CLOD_SHEAR_ROW_COUNT] = {
+    {"sigma_p_Pa", "preshear normal stress", "&sigma;<sub>pre</sub>", "kPa", 1e-3, 3, NULL,
+     NULL, false},
+    {"tau_p_Pa", "preshear shear stress", "&tau;<sub>pre</sub>", "kPa", 1e-3, 3, NULL, NULL,
+     false},
+    {"sigma_1_Pa", "major principal stress", "&sigma;<sub>1</sub>", "kPa", 1e-3, 3, NULL, NULL,
+     false},
+    {"sigma_2_Pa", "minor principal stress", "&sigma;<sub>2</sub>", "kPa", 1e-3, 3, NULL, NULL,
+     false},
+    {"sigma_c_Pa", "unconfined yield strength", "&sigma;<sub>c</sub>", "kPa", 1e-3, 3, NULL,
+     NULL, false},
+    {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "", 1.0, 2,
+     NULL, NULL, false},
+    {"c_Pa", "cohesion", "c", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"phi_lin_deg", "angle of the yield locus", "&phi;<sub>lin</sub>", "deg", 1.0, 2, NULL,
+     NULL, false},
+    {"phi_e_deg", "effective angle of friction", "&phi;<sub>e</sub>", "deg", 1.0, 2, NULL, NULL,
+     false},
+    {"phi_sf_deg", "angle of friction at steady flow", "&phi;<sub>sf</sub>", "deg", 1.0, 2,
+     NULL, NULL, false},
+    {"rho_b_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 1, NULL,
+     "not given", false},
+    {"flow", "flow (Jenike)", "", "", 1.0, 0, NULL, NULL, true},
+    {"r_squared", "fit of the line", "r&sup2;", "", 1.0, 4, NULL, "-", false},
 };
 
-const clod_shear_row *clod_shear_row_of(const char *key)
+const clod_result_row *clod_shear_row_of(const char *key)
 {
     size_t k = 0;
     while (strcmp(CLOD_SHEAR_ROWS[k].key, key) != 0) {
@@ -45,65 +48,9 @@ const clod_shear_row *clod_shear_row_of(const char *key)
     return &CLOD_SHEAR_ROWS[k];
 }
 
-void clod_shear_value(FILE *out, const json_t *locus, const clod_shear_row *row)
-{
-    const double value = clod_shear_number(locus, row->key);
-    const double error = part_of(locus, row->key, "error");
-    const double scatter = part_of(locus, row->key, "scatter");
-    if (!isfinite(value)) {
-        fputs(row == clod_shear_row_of("rho_b_kg_m3") ? "not given" : "undefined", out);
-        return;
-    }
-    fprintf(out, "%.*f", row->digits, row->factor * value);
-    if (isfinite(error) && error > 0.0) {
-        fprintf(out, " <small>&plusmn; %.*f</small>", row->digits, row->factor * error);
-    }
-    if (isfinite(scatter)) {
-        fprintf(out, " <small>(s %.*f)</small>", row->digits, row->factor * scatter);
-    }
-}
-
 const json_t *clod_shear_locus(const json_t *study, size_t g)
 {
     return json_array_get(json_object_get(study, "loci"), g);
-}
-
-void clod_shear_warnings(FILE *out, const json_t *study)
-{
-    const json_t *locus;
-    for (size_t g = 0; (locus = clod_shear_locus(study, g)) != NULL; g++) {
-        size_t k;
-        const json_t *text;
-        json_array_foreach(json_object_get(locus, "warnings"), k, text)
-        {
-            clod_html_cell(out, "li", json_string_value(text));
-        }
-    }
-    size_t k;
-    const json_t *text;
-    json_array_foreach(json_object_get(study, "warnings"), k, text)
-    {
-        clod_html_cell(out, "li", json_string_value(text));
-    }
-}
-
-static void put_flow(FILE *out, const clod_shear_loci *sets, size_t count)
-{
-    fputs("<tr><th>flow (Jenike)</th><td></td>", out);
-    for (size_t s = 0; s < count; s++) {
-        const json_t *locus;
-        for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
-            clod_html_cell(out, "td", json_string_value(json_object_get(locus, "flow")));
-        }
-    }
-    fputs("<td></td></tr>\n<tr><th>fit of the line</th><td>r&sup2;</td>", out);
-    for (size_t s = 0; s < count; s++) {
-        const json_t *locus;
-        for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
-            fprintf(out, "<td>%.4f</td>", clod_shear_number(locus, "r_squared"));
-        }
-    }
-    fputs("<td></td></tr>\n", out);
 }
 
 /** What the errors are, of each set. */
@@ -135,42 +82,47 @@ static void put_notes(FILE *out, const clod_shear_loci *sets, size_t count)
     }
 }
 
-void clod_shear_table(FILE *out, const clod_shear_loci *sets, size_t count)
+size_t clod_shear_list(const clod_shear_loci *sets, size_t count,
+                       clod_result_of of[CLOD_SHEAR_MOST])
 {
-    fputs("<div class=\"scroll\"><table class=\"results\" id=\"results-table\"><thead><tr><th>"
-          "quantity</th><th></th>",
-          out);
+    size_t used = 0;
     for (size_t s = 0; s < count; s++) {
-        for (size_t g = 0; clod_shear_locus(sets[s].study, g) != NULL; g++) {
-            clod_html_cell(out, "th", sets[s].of);
-        }
-    }
-    fputs("<th>unit</th></tr></thead>\n<tbody>", out);
-    for (size_t k = 0; k < CLOD_SHEAR_ROW_COUNT; k++) {
-        const clod_shear_row *row = &CLOD_SHEAR_ROWS[k];
-        fprintf(out, "<tr><th>%s</th><td>%s</td>", row->text, row->symbol);
-        for (size_t s = 0; s < count; s++) {
-            const json_t *locus;
-            for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
-                fputs("<td>", out);
-                clod_shear_value(out, locus, row);
-                fputs("</td>", out);
+        const json_t *locus;
+        for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
+            if (used < CLOD_SHEAR_MOST) {
+                of[used++] = (clod_result_of){.name = sets[s].of, .from = locus};
             }
         }
-        fprintf(out, "<td>%s</td></tr>\n", row->unit);
     }
-    put_flow(out, sets, count);
-    fputs("</tbody></table></div>\n", out);
+    return used;
+}
+
+static void put_table(FILE *out, const clod_shear_loci *sets, size_t count)
+{
+    clod_result_of of[CLOD_SHEAR_MOST] = {{NULL}};
+    const size_t used = clod_shear_list(sets, count, of);
+    clod_result_table_put(out, CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, of, used);
     put_notes(out, sets, count);
 }
 
-void clod_shear_points(FILE *out, const clod_shear_loci *sets, size_t count)
+/** A stress of a point, whole as its title. */
+static void put_stress(FILE *out, const json_t *from, const char *key)
 {
-    fputs("<div class=\"scroll\"><table id=\"points-table\"><thead><tr><th>shear points</th>"
-          "<th>&sigma;<sub>pre</sub></th><th>&sigma;</th>"
-          "<th>&tau;</th><th>&tau; prorated</th><th>&tau; of the line</th><th>unit</th></tr>"
-          "</thead>\n<tbody>",
-          out);
+    const double value = clod_shear_number(from, key);
+    clod_rounded_begin(out, "td", value, (double)NAN, "Pa");
+    clod_rounded_put(out, 1e-3 * value, (double)NAN, (double)NAN, 3, "");
+    fputs("</td>", out);
+}
+
+static void put_points(FILE *out, const clod_shear_loci *sets, size_t count)
+{
+    static const char *const KEYS[] = {"sigma_s_Pa", "tau_s_Pa", "prorated_Pa", "line_Pa"};
+    fputs(
+        "<div class=\"scroll\"><table id=\"points-table\"><thead><tr><th>shear points [kPa]</th>"
+        "<th>&sigma;<sub>pre</sub></th><th>&sigma;</th>"
+        "<th>&tau;</th><th>&tau; prorated</th><th>&tau; of the line</th></tr>"
+        "</thead>\n<tbody>",
+        out);
     for (size_t s = 0; s < count; s++) {
         const json_t *locus;
         for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
@@ -180,14 +132,11 @@ void clod_shear_points(FILE *out, const clod_shear_loci *sets, size_t count)
             {
                 fputs("<tr>", out);
                 clod_html_cell(out, "th", sets[s].of);
-                fprintf(out,
-                        "<td>%.3f</td><td>%.3f</td><td>%.3f</td><td>%.3f</td><td>%.3f</td><td>"
-                        "kPa</td></tr>\n",
-                        1e-3 * clod_shear_number(locus, "sigma_p_Pa"),
-                        1e-3 * clod_shear_number(point, "sigma_s_Pa"),
-                        1e-3 * clod_shear_number(point, "tau_s_Pa"),
-                        1e-3 * clod_shear_number(point, "prorated_Pa"),
-                        1e-3 * clod_shear_number(point, "line_Pa"));
+                put_stress(out, locus, "sigma_p_Pa");
+                for (size_t q = 0; q < sizeof KEYS / sizeof *KEYS; q++) {
+                    put_stress(out, point, KEYS[q]);
+                }
+                fputs("</tr>\n", out);
             }
         }
     }
@@ -208,9 +157,9 @@ bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *
     }
     if (count > 0) {
         clod_html_section(sheet->body, "results", "Results");
-        clod_shear_table(sheet->body, sets, count);
+        put_table(sheet->body, sets, count);
         clod_shear_figures(sheet, sets, count);
-        clod_shear_points(sheet->body, sets, count);
+        put_points(sheet->body, sets, count);
     }
     clod_html_section(sheet->body, "curves", "Curves of the test");
     clod_sheet_columns(sheet, true);

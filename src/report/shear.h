@@ -6,6 +6,7 @@
 
 #include <jansson.h>
 
+#include "report/result_table.h"
 #include "report/run_files.h"
 #include "report/sheet.h"
 
@@ -29,14 +30,18 @@ json_t *clod_shear_lab(const char *path, clod_status *status);
 bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
                     clod_status *status);
 
-/** Warnings of the evaluation, one list item each. */
-void clod_shear_warnings(FILE *out, const json_t *study);
+/**
+ * Warn of points of a laboratory at a preshear stress that the run does not have, one list item each;
+ * how many. @param out  NULL: only count them
+ * Test  tests/report/test_page.py
+ */
+size_t clod_shear_lab_warnings(FILE *out, const clod_run_files *run, const json_t *lab);
 
-/** Table of results: a column for every yield locus of all sets. */
-void clod_shear_table(FILE *out, const clod_shear_loci *sets, size_t count);
+#define CLOD_SHEAR_MOST 256 ///< yield loci of a table
 
-/** Tables of shear points. */
-void clod_shear_points(FILE *out, const clod_shear_loci *sets, size_t count);
+/** All loci of all sets for a table of results; how many. */
+size_t clod_shear_list(const clod_shear_loci *sets, size_t count,
+                       clod_result_of of[CLOD_SHEAR_MOST]);
 
 /** Yield loci with Mohr circles, and the flow function. */
 void clod_shear_figures(clod_sheet *sheet, const clod_shear_loci *sets, size_t count);

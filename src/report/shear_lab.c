@@ -3,9 +3,15 @@
  * Points of a laboratory, evaluated as those of a simulation are.
  */
 
+#include <math.h>
+
 #include "analysis/study_file.h"
 #include "clod/locus.h"
+#include "report/html.h"
 #include "report/shear.h"
+#include "report/shear_rows.h"
+
+#define SAME 0.05 ///< share by which preshear stresses that are meant to be the same may differ
 
 json_t *clod_shear_lab(const char *path, clod_status *status)
 {
@@ -18,4 +24,44 @@ json_t *clod_shear_lab(const char *path, clod_status *status)
     clod_locus_free(text);
     clod_locus_study_destroy(&study);
     return all;
+}
+
+/** The preshear stress of a study that is nearest to another one, in ratio; NaN: it has none. */
+static double nearest_of(const json_t *study, double wanted)
+{
+    double nearest = (double)NAN;
+    const json_t *locus;
+    for (size_t g = 0; (locus = clod_shear_locus(study, g)) != NULL; g++) {
+        const double stress = clod_shear_number(locus, "sigma_p_Pa");
+        if (!(fabs(log(stress / wanted)) >= fabs(log(nearest / wanted)))) {
+            nearest = stress;
+        }
+    }
+    return nearest;
+}
+
+size_t clod_shear_lab_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
+{
+    const json_t *study = json_object_get(run->summary, "locus");
+    size_t count = 0;
+    const json_t *locus;
+    for (size_t g = 0; (locus = clod_shear_locus(lab, g)) != NULL; g++) {
+        const double stress = clod_shear_number(locus, "sigma_p_Pa");
+        const double own = nearest_of(study, stress);
+        char text[320];
+        if (!(fabs(own / stress - 1.0) > SAME)) {
+            continue;
+        }
+        snprintf(
+            text, sizeof text,
+            "The laboratory's points are at a preshear stress of %.3f kPa, the run's at "
+            "%.3f kPa: strength, cohesion, angles and density belong to the preshear stress "
+            "and cannot be compared across it.",
+            1e-3 * stress, 1e-3 * own);
+        if (out != NULL) {
+            clod_html_cell(out, "li", text);
+        }
+        count++;
+    }
+    return count;
 }

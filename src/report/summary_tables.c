@@ -8,8 +8,10 @@
 #include "base/unit_endings.h"
 #include "report/figure_json.h"
 #include "report/html.h"
+#include "report/rounded.h"
 
 #define MOST 64 ///< objects, and rows, of a table
+#define WIDE 5  ///< objects that stand in columns
 
 #define ROW(ending, si, shown, factor) {ending, shown},
 
@@ -79,6 +81,41 @@ static bool has_shown(json_t *item)
     return false;
 }
 
+/** The key of the error of a number, if the object has one: angle_deg and error_deg, mean and deviation,
+ *  sigma_c_Pa and sigma_c_error_Pa. */
+static const json_t *error_of(const json_t *item, const char *key)
+{
+    static const char *const PAIRS[][2] = {{"angle", "error"}, {"mean", "deviation"}};
+    char name[CLOD_FIGURE_NAME], unit[16], wanted[CLOD_FIGURE_NAME + 16];
+    clod_summary_tables_name(key, name, unit);
+    const size_t length =
+        strlen(name); // of the key before its unit: they differ in blanks alone
+    const char *ending = length < strlen(key) ? key + length : "";
+    for (size_t k = 0; k < sizeof PAIRS / sizeof *PAIRS; k++) {
+        if (strcmp(name, PAIRS[k][0]) == 0) {
+            snprintf(wanted, sizeof wanted, "%s%s", PAIRS[k][1], ending);
+            return json_object_get(item, wanted);
+        }
+    }
+    snprintf(wanted, sizeof wanted, "%.*s_error%s", (int)length, key, ending);
+    return json_object_get(item, wanted);
+}
+
+/** Whether a number is the error of another one of the object. */
+static bool is_error(json_t *item, const json_t *value)
+{
+    const char *key;
+    json_t *of;
+    json_object_foreach(item, key, of)
+    {
+        if (of != value && json_is_number(of) && json_is_number(value) &&
+            error_of(item, key) == value) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void add_keys(layout *self, json_t *item)
 {
     const char *key;
@@ -86,7 +123,7 @@ static void add_keys(layout *self, json_t *item)
     json_object_foreach(item, key, value)
     {
         bool known = !is_shown(value) || strcmp(key, "name") == 0 || strcmp(key, "part") == 0 ||
-                     strcmp(key, "errors_note") == 0;
+                     strcmp(key, "errors_note") == 0 || is_error(item, value);
         for (size_t k = 0; k < self->keys && !known; k++) {
             known = strcmp(self->key[k], key) == 0;
         }
@@ -150,21 +187,26 @@ static bool says_something(const layout *self)
     return false;
 }
 
-static void put_number(FILE *out, const json_t *value)
+static void put_number(FILE *out, double value, double error, const char *unit)
 {
-    const double number = json_number_value(value);
-    fprintf(out, number == round(number) && fabs(number) < 1e15 ? "%.0f" : "%.5g", number);
+    const bool whole = value == round(value) && fabs(value) < 1e15;
+    clod_rounded_begin(out, "td", value, error, unit);
+    if (error > 0.0) {
+        clod_rounded_put(out, value, error, (double)NAN, CLOD_ROUNDED_SHORT, "");
+    } else {
+        fprintf(out, whole ? "%.0f" : "%.4g", value);
+    }
+    fputs("</td>", out);
 }
 
-static void put_cell(FILE *out, const json_t *value)
+static void put_cell(FILE *out, const json_t *item, const char *key)
 {
+    const json_t *value = json_object_get(item, key);
+    char name[CLOD_FIGURE_NAME], unit[16];
+    clod_summary_tables_name(key, name, unit);
     if (is_spread(value)) {
-        fputs("<td title=\"", out);
-        clod_figure_json_number(out, json_number_value(json_object_get(value, "mean")));
-        fputs("\">", out);
-        put_number(out, json_object_get(value, "mean"));
-        fprintf(out, " <small>&plusmn; %.2g</small></td>",
-                json_number_value(json_object_get(value, "deviation")));
+        put_number(out, json_number_value(json_object_get(value, "mean")),
+                   json_number_value(json_object_get(value, "deviation")), unit);
     } else if (is_vector(value)) {
         fputs("<td>", out);
         for (size_t axis = 0; axis < 3; axis++) {
@@ -173,11 +215,7 @@ static void put_cell(FILE *out, const json_t *value)
         }
         fputs(")</td>", out);
     } else if (json_is_number(value)) {
-        fputs("<td title=\"", out);
-        clod_figure_json_number(out, json_number_value(value));
-        fputs("\">", out);
-        put_number(out, value);
-        fputs("</td>", out);
+        put_number(out, json_number_value(value), json_number_value(error_of(item, key)), unit);
     } else if (json_is_boolean(value)) {
         clod_html_cell(out, "td", json_is_true(value) ? "yes" : "no");
     } else {
@@ -185,17 +223,45 @@ static void put_cell(FILE *out, const json_t *value)
     }
 }
 
+/** Name and unit of a key, as a head. */
+static void put_key(FILE *out, const char *key)
+{
+    char name[CLOD_FIGURE_NAME], unit[16], text[CLOD_FIGURE_NAME + 24];
+    clod_summary_tables_name(key, name, unit);
+    snprintf(text, sizeof text, unit[0] != '\0' ? "%s [%s]" : "%s", name, unit);
+    clod_html_cell(out, "th", text);
+}
+
+/** A column for each object, a row for each number. */
+static void put_columns(FILE *out, const layout *self)
+{
+    for (size_t i = 0; i < self->items; i++) {
+        clod_html_cell(out, "th", self->head[i]);
+    }
+    fputs("</tr></thead>\n<tbody>", out);
+    for (size_t k = 0; k < self->keys; k++) {
+        fputs("<tr>", out);
+        put_key(out, self->key[k]);
+        for (size_t i = 0; i < self->items; i++) {
+            put_cell(out, self->item[i], self->key[k]);
+        }
+        fputs("</tr>\n", out);
+    }
+}
+
+/** A row for each object, where they are more than a page is wide. */
 static void put_rows(FILE *out, const layout *self)
 {
     for (size_t k = 0; k < self->keys; k++) {
-        char name[CLOD_FIGURE_NAME], unit[16];
-        clod_summary_tables_name(self->key[k], name, unit);
+        put_key(out, self->key[k]);
+    }
+    fputs("</tr></thead>\n<tbody>", out);
+    for (size_t i = 0; i < self->items; i++) {
         fputs("<tr>", out);
-        clod_html_cell(out, "th", name);
-        for (size_t i = 0; i < self->items; i++) {
-            put_cell(out, json_object_get(self->item[i], self->key[k]));
+        clod_html_cell(out, "th", self->head[i]);
+        for (size_t k = 0; k < self->keys; k++) {
+            put_cell(out, self->item[i], self->key[k]);
         }
-        clod_html_cell(out, "td", unit);
         fputs("</tr>\n", out);
     }
 }
@@ -211,15 +277,11 @@ void clod_summary_tables_put(FILE *out, const char *title, json_t *from)
         clod_html_cell(out, "h3", title);
     }
     fputs("<div class=\"scroll\"><table class=\"copied\"><thead><tr><th></th>", out);
-    for (size_t i = 0; i < self.items; i++) {
-        clod_html_cell(out, "th", self.head[i]);
-    }
-    fputs("<th>unit</th></tr></thead>\n<tbody>", out);
-    put_rows(out, &self);
+    (self.items > WIDE && self.items > self.keys ? put_rows : put_columns)(out, &self);
     fputs("</tbody></table></div>\n", out);
     if (self.more_items > 0 || self.more_keys > 0) {
         fprintf(out,
-                "<p class=\"note\">%zu columns more, and %zu rows of these, are in "
+                "<p class=\"note\">%zu more of them, and %zu more numbers of these, are in "
                 "summary.json.</p>\n",
                 self.more_items, self.more_keys);
     }

@@ -26,18 +26,6 @@ static clod_wall_page_locus *list_loci(const clod_run_files *runs, size_t count,
     return loci;
 }
 
-bool clod_wall_compare_results(FILE *out, const clod_run_files *runs, size_t count,
-                               const json_t *lab, clod_status *status)
-{
-    size_t used;
-    clod_wall_page_locus *loci = list_loci(runs, count, lab, &used, status);
-    if (loci != NULL) {
-        clod_wall_page_table(out, loci, used);
-    }
-    clod_memory_free(loci);
-    return loci != NULL;
-}
-
 bool clod_wall_compare_figures(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                                const json_t *lab, clod_status *status)
 {

@@ -9,10 +9,6 @@
 #include "report/run_files.h"
 #include "report/sheet.h"
 
-/** The wall yield loci of all in a table. Errors  CLOD_FAILED: no memory. */
-bool clod_wall_compare_results(FILE *out, const clod_run_files *runs, size_t count,
-                               const json_t *lab, clod_status *status);
-
-/** The same over each other, and the curves of all. Errors  CLOD_USAGE: a damaged table; as above. */
+/** Wall yield loci over each other, and the curves of all. Errors  CLOD_USAGE: a damaged table; CLOD_FAILED: no memory. */
 bool clod_wall_compare_figures(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                                const json_t *lab, clod_status *status);

@@ -6,8 +6,10 @@
 
 #include "base/memory.h"
 #include "clod/wall_locus.h"
+#include "report/cards.h"
 #include "report/html.h"
 #include "report/part_curves.h"
+#include "report/rounded.h"
 #include "report/shear_rows.h"
 
 #define MOST_POINTS 512
@@ -16,70 +18,19 @@ typedef clod_wall_page_locus locus;
 
 // ---- numbers
 
-/** A result with its error. */
-static const struct {
-    const char *key, *text, *symbol, *unit;
-    double factor;
-    int digits;
-} ROWS[] = {
-    {"phi_w_deg", "kinematic angle of wall friction", "&phi;<sub>w</sub>", "deg", 1.0, 2},
-    {"tau_ad_Pa", "wall adhesion", "&tau;<sub>ad</sub>", "kPa", 1e-3, 3},
+const clod_result_row CLOD_WALL_PAGE_ROWS[CLOD_WALL_PAGE_ROW_COUNT] = {
+    {"phi_w_deg", "kinematic angle of wall friction", "&phi;<sub>w</sub>", "deg", 1.0, 2, NULL,
+     NULL, false},
+    {"tau_ad_Pa", "wall adhesion", "&tau;<sub>ad</sub>", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"r_squared", "fit of the line", "r&sup2;", "", 1.0, 4, NULL, "-", false},
 };
-#define ROW_COUNT (sizeof ROWS / sizeof ROWS[0])
-
-static void put_value(FILE *out, const json_t *from, size_t row)
-{
-    const json_t *value = json_object_get(from, ROWS[row].key);
-    const double error = clod_shear_number(value, "error");
-    const double scatter = clod_shear_number(value, "scatter");
-    const double mean = clod_shear_number(value, "value");
-    if (!isfinite(mean)) {
-        fputs("undefined", out);
-        return;
-    }
-    fprintf(out, "%.*f", ROWS[row].digits, ROWS[row].factor * mean);
-    if (isfinite(error)) {
-        fprintf(out, " <small>&plusmn; %.*f</small>", ROWS[row].digits,
-                ROWS[row].factor * error);
-    }
-    if (isfinite(scatter)) {
-        fprintf(out, " <small>(s %.*f)</small>", ROWS[row].digits, ROWS[row].factor * scatter);
-    }
-}
+#define CARDS 2 ///< of the rows
 
 void clod_wall_page_cards(FILE *out, const json_t *from)
 {
-    for (size_t k = 0; from != NULL && k < ROW_COUNT; k++) {
-        fputs("<div class=\"card\"><b>", out);
-        put_value(out, from, k);
-        fprintf(out, " <small>%s</small></b><span>%s, %s</span></div>\n", ROWS[k].unit,
-                ROWS[k].symbol, ROWS[k].text);
+    for (size_t k = 0; from != NULL && k < CARDS; k++) {
+        clod_cards_result(out, from, &CLOD_WALL_PAGE_ROWS[k], NULL);
     }
-}
-
-void clod_wall_page_table(FILE *out, const clod_wall_page_locus *loci, size_t count)
-{
-    fputs("<div class=\"scroll\"><table class=\"results\" id=\"results-table\"><thead><tr><th>"
-          "quantity</th><th></th>",
-          out);
-    for (size_t s = 0; s < count; s++) {
-        clod_html_cell(out, "th", loci[s].of);
-    }
-    fputs("<th>unit</th></tr></thead>\n<tbody>", out);
-    for (size_t k = 0; k < ROW_COUNT; k++) {
-        fprintf(out, "<tr><th>%s</th><td>%s</td>", ROWS[k].text, ROWS[k].symbol);
-        for (size_t s = 0; s < count; s++) {
-            fputs("<td>", out);
-            put_value(out, loci[s].locus, k);
-            fputs("</td>", out);
-        }
-        fprintf(out, "<td>%s</td></tr>\n", ROWS[k].unit);
-    }
-    fputs("<tr><th>fit of the line</th><td>r&sup2;</td>", out);
-    for (size_t s = 0; s < count; s++) {
-        fprintf(out, "<td>%.4f</td>", clod_shear_number(loci[s].locus, "r_squared"));
-    }
-    fputs("<td></td></tr>\n</tbody></table></div>\n", out);
 }
 
 /** What the errors are. */
@@ -117,12 +68,15 @@ static void put_notes(FILE *out, const clod_wall_page_locus *loci, size_t count)
     }
 }
 
-/** A number with its error in a cell. */
-static void put_cell(FILE *out, double value, double error, int digits)
+/** A number of a point with its error, in a cell. */
+static void put_cell(FILE *out, const json_t *point, const char *key, const char *error_key,
+                     const char *unit, double factor, int digits)
 {
-    fprintf(out, "<td>%.*f", digits, value);
-    if (isfinite(error) && error > 0.0) {
-        fprintf(out, " <small>&plusmn; %.*f</small>", digits, error);
+    const double value = clod_shear_number(point, key);
+    const double error = error_key != NULL ? clod_shear_number(point, error_key) : (double)NAN;
+    clod_rounded_begin(out, "td", value, error, unit);
+    if (isfinite(value)) {
+        clod_rounded_put(out, factor * value, factor * error, (double)NAN, digits, "");
     }
     fputs("</td>", out);
 }
@@ -148,13 +102,10 @@ static void put_points(FILE *out, const clod_wall_page_locus *loci, size_t count
             } else {
                 fprintf(out, "<td>%.0f</td>", seed);
             }
-            put_cell(out, 1e-3 * clod_shear_number(p, "sigma_w_Pa"),
-                     1e-3 * clod_shear_number(p, "sigma_w_error_Pa"), 3);
-            put_cell(out, 1e-3 * clod_shear_number(p, "tau_w_Pa"),
-                     1e-3 * clod_shear_number(p, "tau_w_error_Pa"), 3);
-            put_cell(out, clod_shear_number(p, "phi_x_deg"),
-                     clod_shear_number(p, "phi_x_error_deg"), 2);
-            put_cell(out, 1e-3 * clod_shear_number(p, "line_Pa"), (double)NAN, 3);
+            put_cell(out, p, "sigma_w_Pa", "sigma_w_error_Pa", "Pa", 1e-3, 3);
+            put_cell(out, p, "tau_w_Pa", "tau_w_error_Pa", "Pa", 1e-3, 3);
+            put_cell(out, p, "phi_x_deg", "phi_x_error_deg", "deg", 1.0, 2);
+            put_cell(out, p, "line_Pa", NULL, "Pa", 1e-3, 3);
             // pages of older runs have no such mark
             fputs(json_is_false(json_object_get(p, "steady")) ? "<td>not steady</td>"
                                                               : "<td></td>",
@@ -251,7 +202,7 @@ static bool put_curves(clod_sheet *sheet, const clod_run_files *run, clod_status
 bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
                         clod_status *status)
 {
-    locus loci[2];
+    locus loci[2] = {{NULL}};
     size_t count = 0;
     const json_t *own = json_object_get(run->summary, "wall_locus");
     if (json_is_object(own)) {
@@ -262,7 +213,10 @@ bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json
     }
     if (count > 0) {
         clod_html_section(sheet->body, "results", "Results");
-        clod_wall_page_table(sheet->body, loci, count);
+        const clod_result_of of[2] = {{.name = loci[0].of, .from = loci[0].locus},
+                                      {.name = loci[1].of, .from = loci[1].locus}};
+        clod_result_table_put(sheet->body, CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, of,
+                              count);
         put_notes(sheet->body, loci, count);
         clod_wall_page_figures(sheet, loci, count);
         put_points(sheet->body, loci, count);

@@ -6,6 +6,7 @@
 
 #include <jansson.h>
 
+#include "report/result_table.h"
 #include "report/run_files.h"
 #include "report/sheet.h"
 
@@ -24,8 +25,8 @@ bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json
 /** The main results of a locus, one card each. */
 void clod_wall_page_cards(FILE *out, const json_t *locus);
 
-/** The table of results: a column for each locus. */
-void clod_wall_page_table(FILE *out, const clod_wall_page_locus *loci, size_t count);
+#define CLOD_WALL_PAGE_ROW_COUNT 3
+extern const clod_result_row CLOD_WALL_PAGE_ROWS[CLOD_WALL_PAGE_ROW_COUNT]; ///< its results
 
 /** Wall yield loci over each other, and their angles over the stress. */
 void clod_wall_page_figures(clod_sheet *sheet, const clod_wall_page_locus *loci, size_t count);

@@ -148,30 +148,39 @@ def cards(text):
 LOCUS = {"sigma_p_Pa": 10000.0, "tau_p_Pa": 7200.0, "c_Pa": 1375.0, "phi_lin_deg": 32.0, "flow": "cohesive",
          "sigma_1_Pa": 21000.0, "sigma_c_Pa": {"value": 7100.0, "error": 90.0}, "steady_circle": {"centre_Pa": 14000.0, "radius_Pa": 7000.0},
          "points": [{"sigma_s_Pa": 3000.0, "prorated_Pa": 3250.0}, {"sigma_s_Pa": 5000.0, "prorated_Pa": 4500.0}]}
-RUNS = "point,a,b,ring: phi_e [deg]\n" + "".join(f"{k},{text(0.1 * k)},{text(1 - 0.09 * k)},{text(30 + k)}\n" for k in range(8))
+RUNS = "point,a [N/m^1.5],b [J],ring: phi_e [deg],ring: phi_sf [deg],ring: sigma_c [kPa]\n" + "".join(
+    f"{k},{text(0.1 * k)},{text(1e-3 - 1e-4 * k)},{text(30 + k)},{text(28 + k)},{text(5 + k)}\n" for k in range(8))
 
 
-def shear(folder, shift=0.0):
-    """A ring shear test; `shift` [Pa] moves its points."""
+def shear(folder, shift=0.0, key="ring_shear"):
+    """A ring shear test, or a Jenike test; `shift` [Pa] moves its points."""
     locus = {**LOCUS, "tau_p_Pa": LOCUS["tau_p_Pa"] + shift, "c_Pa": LOCUS["c_Pa"] + shift,
              "points": [{**point, "prorated_Pa": point["prorated_Pa"] + shift} for point in LOCUS["points"]]}
     write(folder, summary__json={"title": "Ring", "version": "clod 9", "locus": {"loci": [locus]}}, report__txt="all of it\n",
           preshear__csv=SLIP,
-          **{"case_HYPHEN_complete__yaml": COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"})
+          **{"case_HYPHEN_complete__yaml": COMPLETE % ("Ring", "2500") + f"{key}:\n  seeds: 1\n"})
 
 
 def calibration(folder):
-    """A finished calibration of two parameters and one target."""
+    """A finished calibration of two parameters and three targets, one of them held back. The posterior of a is even from 0.4 to 0.65."""
     about = {"mean": 0.523456, "low": 0.412345, "high": 0.634567, "unit": "N/m^1.5", "from": 0.0, "to": 1.0, "scale": "linear",
              "relative_width": 0.22, "identified": "yes", "rhat": 1.0012, "effective_samples": 812.3}
-    at = [0.1 * k for k in range(11)]
-    section = {"at": at, "mean": [30 + 7 * x for x in at], "deviation": [0.5] * 11}
+    steep = {**about, "mean": 3e-4, "low": 2.2e-4, "high": 3.8e-4, "unit": "J", "from": 1e-4, "to": 1e-3, "scale": "log"}
+    at, small = [0.1 * k for k in range(11)], [1e-4 * (k + 1) for k in range(10)]
+    sections = {"a": {"at": at, "mean": [30 + 7 * x for x in at], "deviation": [0.5] * 11},
+                "b": {"at": small, "mean": [30 + 7e3 * x for x in small], "deviation": [0.5] * 10}}
     target = {"name": "ring: phi_e", "measured": 33.5, "error": 0.6, "discrepancy": 0.5, "model": 33.6, "low": 32.5, "high": 34.7,
-              "unit": "deg", "off": 0.1, "surrogate": {"kind": "gaussian process", "runs": 8, "packing_deviation": 0.4,
-                                                       "left_out_error": 0.51, "q2": 0.93, "within_two_deviations": 0.95,
-                                                       "sections": {"a": section, "b": section}}}
+              "unit": "deg", "off": 0.1, "held_back": False,
+              "surrogate": {"kind": "gaussian process", "runs": 8, "packing_deviation": 0.4, "left_out_error": 0.51, "q2": 0.93,
+                            "within_two_deviations": 0.95, "sections": sections}}
+    kept = {**target, "name": "ring: phi_sf", "measured": 30.25, "model": 29.5, "low": 28.0, "high": 31.0, "held_back": True}
+    other = {**target, "name": "ring: sigma_c", "unit": "kPa", "measured": 7.5, "error": 0.25, "model": 7.25, "low": 6.5, "high": 8.0}
     write(folder, calibration__json={"title": "Two stiffnesses", "level": 0.9, "p_value": 0.4, "chi_square": 1.3, "warnings": ["none"],
-                                     "parameters": {"a": about, "b": {**about, "mean": 0.3}}, "targets": [target]}, runs__csv=RUNS)
+                                     "plan": "plan.yaml", "points": 8, "packings": 1, "failed_runs": 0,
+                                     "parameters": {"a": about, "b": steep}, "targets": [target, kept, other]}, runs__csv=RUNS,
+          design__txt="Runs of a calibration: another plan needs another folder.\nclod clod 9 (abc)\nseed 1, seeds 1\n",
+          posterior__csv="a [N/m^1.5],b [J]\n" + "".join(
+              f"{text(0.4 + 0.25 * (k + 0.5) / 1200)},{text(2e-4 * 2 ** ((37 * k % 1200 + 0.5) / 1200))}\n" for k in range(1200)))
 
 
 def every(folder):
@@ -301,6 +310,11 @@ def read_png(data):
         rows.append([tuple(line[4 * x:4 * x + 4]) for x in range(width)])
         above = line
     return rows
+
+
+def load_json(path):
+    with open(path) as file:
+        return json.load(file)
 
 
 def load(path):

@@ -122,6 +122,29 @@ class Browser(BrowserCase):
                                             or other[3] <= title[1], f"{where}: {title} is on {other}")
         self.assertGreater(found, 60)
 
+    def test_tables_are_whole(self):
+        """No table of any page hides a column: at 1280 pixels all have rows and columns, on a phone they may be stacked."""
+        names = pages.every(self.folder)
+        self.need_scripts(clod.run("report", self.path("free")))
+        for name in ("packing0", "packing1"):  # few runs: columns
+            pages.wall(self.path(f"wall-{name}"))
+        clod.run("compare", *map(self.path, ("packing0", "packing1", "packing2")), "-o", self.path("few.html"))
+        clod.run("compare", *map(self.path, ("uniaxial", "uniaxial")), "-o", self.path("strengths.html"))
+        clod.run("compare", *map(self.path, ("wall-packing0", "wall-packing1")), "-o", self.path("walls.html"))
+        clod.run("compare", *map(self.path, ("free", "free")), "-o", self.path("frees.html"))
+        with open(self.path("lab.csv"), "w") as file:
+            file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+                       "10,7.2,3,3.25,1650\n10,7.2,5,4.61,1650\n10,7.2,7.5,5.75,1650\n")
+        clod.run("report", self.path("ring"), "--lab", self.path("lab.csv"), "-o", self.path("lab.html"))
+        pages.shear(self.path("jenike"), key="jenike")
+        clod.run("report", self.path("jenike"), "-o", self.path("jenike.html"))
+        for name in [*names, "few.html", "strengths.html", "walls.html", "frees.html", "lab.html", "jenike.html"]:
+            for width in (1280, 390):
+                seen, _ = self.show(name, width)
+                self.assertEqual(json.loads(seen["hidden"]), [], f"{name} at {width}")
+                if width == 1280:
+                    self.assertEqual(seen["stacked"], "0", name)
+
     def assert_places(self, dom):
         """The strength, and both ends of the stress, stand where the labels of the axes say.
 

@@ -7,6 +7,7 @@ import array
 import base64
 import json
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -123,6 +124,30 @@ class View(BrowserCase):
         self.assertGreater(tried["half"], 0.02 * tried["pixels"])
         self.assertEqual(tried["back"], 0)
         self.assert_colours(tried, pages.load(self.path("run/report.html")).views[0]["grains"])
+
+    def test_grains_at_rest(self):
+        """Speed colours grains that move; the coordination, or what varies, those that rest: their speed is noise."""
+        for name, text in (("tub.obj", TUB), ("case.yaml", CASE)):
+            with open(self.path(name), "w") as file:
+                file.write(text)
+        self.go("run")
+        self.need_scripts(clod.run("report", self.path("run")))
+        with open(self.path("run/report.html")) as file:
+            page = file.read()
+        speed = re.search(r'"name":"speed","units":"[^"]*","values":\{"min":([^,]*),"max":([^,]*),', page)
+        # a grain of 4 mm that has fallen as far has 0.28 m/s
+        for scale, wanted in ((1.0, "speed"), (3e-3 / float(speed[2]), "speed"), (1e-4 / float(speed[2]), "coordination"), (0.0, "coordination")):
+            low, high = (repr(scale * float(speed[k])) for k in (1, 2))
+            with open(self.path("other.html"), "w") as file:
+                file.write(page.replace(speed[0], speed[0].replace(f'"min":{speed[1]},"max":{speed[2]},', f'"min":{low},"max":{high},')))
+            seen, _ = self.show("other.html", then='return [...document.querySelector(".view select").selectedOptions].map(option => option.textContent);')
+            view, = json.loads(seen["views"])
+            self.assertEqual((view["field"], json.loads(seen["tried"])), (wanted, [wanted]), scale)
+            self.assertGreater(view["colours"], 50)
+        self.go("afloat", "1", "--set", "gravity=[0 m/s2, 0 m/s2, 0 m/s2]")  # no grain touches another
+        clod.run("report", self.path("afloat"))
+        seen, _ = self.show("afloat/report.html")
+        self.assertEqual(json.loads(seen["views"])[0]["field"], "radius")
 
     def assert_colours(self, tried, grains):
         """Fields whose grains have other places on the ramp give other pictures, those with the same ones the same."""

@@ -33,7 +33,8 @@ function sizeOf(width) {
 
 function traceOf(figure, curve, width) {
   const times = (list, factor) => list.map(value => value === null ? null : value * factor);
-  const marks = curve.style === "points" || curve.style === "hollow";
+  const dots = curve.style === "dots";
+  const marks = dots || curve.style === "points" || curve.style === "hollow";
   const trace = {
     x: times(curve.x, figure.x.factor),
     y: times(curve.y, figure.y.factor),
@@ -47,7 +48,9 @@ function traceOf(figure, curve, width) {
   if (legendOf(curve, width) !== curve.name) {
     trace.hovertemplate = `(%{x}, %{y})<extra>${plain(curve.name)}</extra>`;
   }
-  if (marks) {
+  if (dots) {
+    trace.marker = {color: curve.colour, size: 4, opacity: 0.7};
+  } else if (marks) {
     trace.marker = {symbol: MARK[curve.round], color: curve.style === "hollow" ? "#ffffff" : curve.colour, size: 9, line: {color: curve.colour, width: 2}};
   } else {
     trace.line = {color: curve.colour, width: 2, dash: curve.dashes === "" ? "solid" : curve.dashes.replaceAll(/(\d+)/g, "$1px").replaceAll(" ", ",")};
@@ -78,7 +81,7 @@ function mapOf(figure, small) {
     hoverongaps: false,
     hovertemplate: `${plain(figure.x.text)} %{x:.5g}, ${plain(figure.y.text)} %{y:.5g} ${figure.x.unit}<br>%{z:.5g}${plain(unit)}<extra></extra>`,
     colorbar: {
-      title: {text: titleOf(map.value), side: small ? "top" : "right"}, thickness: 14, outlinewidth: 0, ticks: "outside",
+      title: {text: titleOf(map.value), side: small ? "top" : "right"}, exponentformat: "e", thickness: 14, outlinewidth: 0, ticks: "outside",
       ...(small ? {orientation: "h", x: 0, xanchor: "left", y: 1, yanchor: "bottom", len: 1} : {x: 1, len: 1}),
     },
   };
@@ -112,17 +115,30 @@ function layMap(layout, figure, small) {
   }
 }
 
+/** Ticks of a logarithmic axis: 1, 2 and 5 of each decade have labels where these are few. */
+function logTicks(figure) {
+  const powers = figure.curves.flatMap(curve => curve.x).filter(value => value > 0).map(value => Math.log10(value * figure.x.factor));
+  const first = Math.floor(Math.min(...powers)), last = Math.ceil(Math.max(...powers));
+  const told = last - first > 2 ? [1] : [1, 2, 5];
+  const ticks = Array.from({length: last - first + 1}, (_, k) => [1, 2, 3, 4, 5, 6, 7, 8, 9].map(digit => [digit, first + k])).flat();
+  const text = (digit, power) => String(Number(`${digit}e${power}`)).replace("e+", "e");
+  return {
+    tickmode: "array", tickangle: 0, tickvals: ticks.map(([digit, power]) => Number(`${digit}e${power}`)),
+    ticktext: ticks.map(([digit, power]) => told.includes(digit) ? text(digit, power) : ""),
+  };
+}
+
 function layoutOf(figure, width) {
   const rows = figure.curves.filter(curve => curve.name !== "").length;
   const small = width < 480;
   const layout = {
-    margin: {l: 64, r: 12, t: 12, b: 58}, // below: marks, labels, a gap and the title
+    margin: {l: 64, r: 18, t: 12, b: 58}, // below: marks, labels, a gap and the title
     font: {family: FONT, size: sizeOf(width), color: "#1d2733"},
     height: figure.equal ? equalHeight(figure, width) : small ? 330 : 370,
     legend: {orientation: "h", yref: "container", y: 0, yanchor: "bottom", x: 0},
     hovermode: "closest",
-    xaxis: {title: {text: titleOf(figure.x), standoff: 8, font: {size: sizeOf(width)}}, automargin: true, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea", ticks: "outside", tickcolor: "#b9c0c8"},
-    yaxis: {title: {text: titleOf(figure.y), standoff: 8, font: {size: sizeOf(width)}}, automargin: true, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea"},
+    xaxis: {title: {text: titleOf(figure.x), standoff: 8, font: {size: sizeOf(width)}}, automargin: "height", exponentformat: "e", zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea", ticks: "outside", tickcolor: "#b9c0c8"},
+    yaxis: {title: {text: titleOf(figure.y), standoff: 8, font: {size: sizeOf(width)}}, automargin: "left", exponentformat: "e", zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea"},
   };
   const longest = Math.max(0, ...figure.curves.map(curve => legendOf(curve, width).length));
   const columns = Math.max(1, Math.floor((width - 76) / (50 + 7.4 * longest)));
@@ -138,6 +154,7 @@ function layoutOf(figure, width) {
   }
   if (figure.log_x) {
     layout.xaxis.type = "log";
+    Object.assign(layout.xaxis, logTicks(figure));
   }
   if (figure.from_zero) {
     layout.xaxis.rangemode = layout.yaxis.rangemode = "tozero";

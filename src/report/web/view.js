@@ -106,6 +106,19 @@ function element(name, more = {}, ...children) {
   return made;
 }
 
+const REST = 1e-3; // of the speed that a grain has when it has fallen its own radius
+
+/** The field that colours the first view: the first, which is the speed, or, where all grains rest, one that varies. */
+function firstField(grains) {
+  const largest = packed => Math.max(Math.abs(packed.min ?? 0), Math.abs(packed.max ?? packed.min ?? 0));
+  const find = name => grains.fields.findIndex(field => field.name === name);
+  if (find("speed") !== 0 || largest(grains.fields[0].values) > REST * Math.sqrt(2 * 9.81 * largest(grains.radius.values))) {
+    return 0;
+  }
+  const varied = ["coordination", "radius"].map(find).find(k => k >= 0 && grains.fields[k].values.data !== undefined);
+  return varied ?? 0;
+}
+
 class View {
   constructor(place, data) {
     this.place = place;
@@ -151,7 +164,8 @@ class View {
     const points = new Points(this.geometry, material);
     points.frustumCulled = false;
     this.scene.add(points);
-    this.colourBy(0);
+    this.field = firstField(grains);
+    this.colourBy(this.field);
   }
 
   addWalls() {
@@ -191,7 +205,8 @@ class View {
     ramp.style.background = `linear-gradient(90deg, ${RAMP.join(",")})`;
     const bar = element("div", {className: "bar"}, element("label", {}, "colour by ", select),
       element("span", {className: "ramp", title: "from 1 % to 99 % of the grains"}, low, ramp, high));
-    say(0);
+    select.value = String(this.field);
+    say(this.field);
     const cut = element("input", {type: "range", min: 0, max: 1000, value: 0});
     cut.oninput = () => {
       const share = Number(cut.value) / 1000;
@@ -251,7 +266,7 @@ class View {
       }
     }
     const {triangles} = this.renderer.info.render;
-    return {grains: this.data.grains.count, triangles, coverage: covered / (width * height), colours: colours.size};
+    return {field: this.data.grains.fields[this.field]?.name, grains: this.data.grains.count, triangles, coverage: covered / (width * height), colours: colours.size};
   }
 }
 

@@ -1,0 +1,127 @@
+#include "report/result_table.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "report/html.h"
+#include "report/rounded.h"
+#include "report/summary_tables.h"
+
+double clod_result_table_number(const json_t *object, const char *key)
+{
+    const json_t *value = json_object_get(object, key);
+    if (json_is_object(value)) {
+        const json_t *mean = json_object_get(value, "mean"); // of a gauge
+        value = mean != NULL ? mean : json_object_get(value, "value");
+    }
+    return json_is_number(value) ? json_number_value(value) : (double)NAN;
+}
+
+static double error_of(const json_t *from, const clod_result_row *row)
+{
+    const json_t *object = json_object_get(from, row->key);
+    const bool spread = json_object_get(object, "deviation") != NULL;
+    const double own = clod_result_table_number(object, spread ? "deviation" : "error");
+    return isnan(own) && row->error != NULL ? clod_result_table_number(from, row->error) : own;
+}
+
+void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
+                             const clod_result_row *row, bool all)
+{
+    const json_t *object = json_object_get(from, row->key);
+    const double value = clod_result_table_number(from, row->key);
+    const double error = error_of(from, row);
+    const double scatter = all ? clod_result_table_number(object, "scatter") : (double)NAN;
+    if (row->words) {
+        fprintf(out, "<%s>", tag);
+        clod_html_text(out, json_string_value(object));
+        return;
+    }
+    char name[CLOD_FIGURE_NAME], unit[16];
+    clod_summary_tables_name(row->key, name, unit);
+    clod_rounded_begin(out, tag, value, error, unit);
+    if (!isfinite(value)) {
+        fputs(row->missing != NULL ? row->missing : "undefined", out);
+        return;
+    }
+    clod_rounded_put(out, row->factor * value, row->factor * error, row->factor * scatter,
+                     row->digits, all ? "" : row->unit);
+    const double known = clod_result_table_number(object, "n"),
+                 all_of = clod_result_table_number(from, "n");
+    if (known < all_of) {
+        fprintf(out, " <small>(n %.0f)</small>", known);
+    }
+}
+
+static void put_cell(FILE *out, const clod_result_of *of, const clod_result_row *row)
+{
+    clod_result_table_value(out, "td", of->from, row, true);
+    fputs("</td>", out);
+}
+
+/** Those of whom it is are columns, as on the page of one run. */
+static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count,
+                        const clod_result_of *of, size_t count)
+{
+    bool symbols = false;
+    for (size_t k = 0; k < row_count; k++) {
+        symbols = symbols || rows[k].symbol[0] != '\0';
+    }
+    fprintf(out,
+            "<div class=\"scroll\"><table class=\"results%s\" id=\"results-table\"><thead><tr>"
+            "<th>quantity</th>%s",
+            symbols ? " symbols" : "", symbols ? "<th></th>" : "");
+    for (size_t s = 0; s < count; s++) {
+        clod_html_cell(out, "th", of[s].name);
+    }
+    fputs("</tr></thead>\n<tbody>", out);
+    for (size_t k = 0; k < row_count; k++) {
+        fprintf(out, "<tr><th>%s", rows[k].text);
+        fprintf(out, rows[k].unit[0] != '\0' ? " [%s]</th>" : "%s</th>", rows[k].unit);
+        if (symbols) {
+            fprintf(out, "<td>%s</td>", rows[k].symbol);
+        }
+        for (size_t s = 0; s < count; s++) {
+            put_cell(out, &of[s], &rows[k]);
+        }
+        fputs("</tr>\n", out);
+    }
+    fputs("</tbody></table></div>\n", out);
+}
+
+/** A row for each: for more of them than a page is wide. */
+static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
+                     const clod_result_of *of, size_t count)
+{
+    fputs("<div class=\"scroll\"><table class=\"copied tight\" id=\"results-table\"><thead><tr>"
+          "<th>run</th>",
+          out);
+    for (size_t k = 0; k < row_count; k++) {
+        const bool symbol = rows[k].symbol[0] != '\0';
+        const bool title = symbol && strchr(rows[k].text, '<') == NULL;
+        fprintf(out, title ? "<th title=\"%s\">" : "<th>", rows[k].text);
+        fputs(symbol ? rows[k].symbol : rows[k].text, out);
+        fprintf(out, rows[k].unit[0] != '\0' ? " <small>[%s]</small></th>" : "%s</th>",
+                rows[k].unit);
+    }
+    fputs("</tr></thead>\n<tbody>", out);
+    for (size_t s = 0; s < count; s++) {
+        fputs(of[s].mean ? "<tr class=\"mean\">" : "<tr>", out);
+        clod_html_cell(out, "th", of[s].name);
+        for (size_t k = 0; k < row_count; k++) {
+            put_cell(out, &of[s], &rows[k]);
+        }
+        fputs("</tr>\n", out);
+    }
+    fputs("</tbody></table></div>\n", out);
+}
+
+void clod_result_table_put(FILE *out, const clod_result_row *rows, size_t row_count,
+                           const clod_result_of *of, size_t count)
+{
+    if (count > CLOD_RESULT_COLUMNS) {
+        put_rows(out, rows, row_count, of, count);
+    } else {
+        put_columns(out, rows, row_count, of, count);
+    }
+}

@@ -1,0 +1,164 @@
+"""clod compare: means of runs that differ in their seeds alone, warnings and provenance of every run."""
+
+import html
+import math
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import pages
+from pages import clod
+
+RISING = "preshear: shear stress still rising by %s kPa/mm after 14.3 mm of shear"
+
+
+class Compare(clod.Case):
+
+    def shear(self, name, seed, shift=0.0, density="2500", warnings=(), **changes):
+        """A ring shear test whose cohesion is 1.375 kPa and `shift`."""
+        pages.shear(self.path(name), shift)
+        summary = pages.load_json(self.path(f"{name}/summary.json"))
+        summary.update({"warnings": list(warnings), "seed": seed, "wall_clock_s": 61.5, **changes})
+        pages.write(self.path(name), summary__json=summary,
+                    log__jsonl='{"time":"2026-01-31T12:34:56Z","event":"begin"}\n',
+                    **{"case_HYPHEN_complete__yaml": pages.COMPLETE % (name, density) + f"seed: {seed}\nring_shear:\n  seeds: 1\n"})
+
+    def compare(self, *names):
+        done = clod.run("compare", *names, "-o", "page.html", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return pages.load(self.path("page.html"))
+
+    def column(self, page, head):
+        """Cells of a column of the table of results, by the first cell of each row."""
+        table = page.tables[0]
+        at = table[0].index(head)
+        return {row[0]: row[at] for row in table[1:]}
+
+    def test_mean_of_seeds(self):
+        """Cohesions of 1.3, 1.4 and 1.5 kPa: mean 1.4, deviation 0.1, standard error 0.1/sqrt(3) kPa."""
+        for seed, shift in ((1, -75.0), (2, 25.0), (3, 125.0)):
+            self.shear(f"seed{seed}", seed, shift)
+        self.shear("dense", 4, 900.0, density="2600")  # another case
+        self.shear("again", 2, 25.0)                   # nothing new
+        self.shear("early", 5, 5000.0)
+        os.remove(self.path("early/report.txt"))       # not complete
+        page = self.compare("seed1", "seed2", "seed3", "dense", "again", "early")
+        means = self.column(page, "mean, n = 3")
+        self.assertEqual(means["cohesion [kPa]"], "1.400 ± 0.058 (s 0.100)")
+        self.assertEqual(means["flow (Jenike)"], "-")
+        titles = [html.unescape(title) for title in re.findall(r'<td title="([^"]*)"', page.text)]
+        whole = [title for title in titles if title.startswith("1400 ± ")]
+        self.assertEqual(len(whole), 1)
+        self.assertAlmostEqual(float(whole[0].split()[2]), 100.0 / math.sqrt(3.0), places=9)
+        note = "".join(page.words)
+        self.assertIn("of 3 runs whose cases differ in nothing but seed: seed1, seed2, seed3.", note)
+
+    def test_many_runs_are_rows(self):
+        """The mean of nine is the last row; cohesions of 1.375 to 2.175 kPa: deviation 0.1 sqrt(60/8), error a third of it."""
+        for seed in range(1, 10):
+            self.shear(f"seed{seed}", seed, 100.0 * (seed - 1))
+        table = self.compare(*(f"seed{seed}" for seed in range(1, 10))).tables[0]
+        self.assertEqual([row[0] for row in table], ["run", *(f"seed{seed}" for seed in range(1, 10)), "mean, n = 9"])
+        mean = dict(zip(table[0], table[-1]))
+        self.assertEqual(mean["c [kPa]"], "1.775 ± 0.091 (s 0.274)")
+
+    def test_few_runs_are_columns(self):
+        self.shear("one", 1)
+        self.shear("two", 2, 100.0)
+        page = self.compare("one", "two")
+        self.assertEqual(page.tables[0][0], ["quantity", "", "one", "two", "mean, n = 2"])
+        # by hand: 1375 and 1475 Pa; deviation 100/sqrt(2), error 50 Pa
+        self.assertEqual(page.row("cohesion [kPa]")[2:], ["1.375", "1.475", "1.425 ± 0.050 (s 0.071)"])
+
+    def test_two_groups(self):
+        """Each case that was repeated has its own mean."""
+        for name, seed, density in (("dry1", 1, "2500"), ("dry2", 2, "2500"), ("wet1", 1, "2600"), ("wet2", 2, "2600"), ("wet3", 3, "2600")):
+            self.shear(name, seed, 10.0 * seed + (500.0 if density == "2600" else 0.0), density)
+        page = self.compare("dry1", "wet1", "dry2", "wet2", "wet3")
+        table = page.tables[0]
+        self.assertEqual([cell for cell in table[0] if "mean" in cell], ["mean 1, n = 2", "mean 2, n = 3"])
+        told = page.row("cohesion [kPa]")[-2:]
+        self.assertEqual(told, ["1.3900 ± 0.0050 (s 0.0071)", "1.8950 ± 0.0058 (s 0.0100)"])
+
+    def test_none_without_other_seeds(self):
+        self.shear("one", 1)
+        self.shear("two", 2, density="2600")
+        page = self.compare("one", "two")
+        self.assertNotIn("mean, n", "".join(page.words))
+
+    def test_means_of_every_kind(self):
+        """Strengths, walls and free runs have them, too."""
+        for seed, (strength, angle) in enumerate(((11000.0, 18.0), (12000.0, 19.0)), 1):
+            pages.uniaxial(self.path(f"u{seed}"))
+            flow = [{**pages.UNIAXIAL["flow_function"][0], "sigma_c_Pa": strength}]
+            self.seeded(f"u{seed}", seed, {**pages.UNIAXIAL, "flow_function": flow})
+            pages.wall(self.path(f"w{seed}"))
+            locus = {**pages.WALL["wall_locus"], "phi_w_deg": pages.value(angle, 0.1)}
+            self.seeded(f"w{seed}", seed, {**pages.WALL, "wall_locus": locus})
+            pages.free_run(self.path(f"f{seed}"))
+            self.seeded(f"f{seed}", seed, {**pages.FREE, "coordination": 4.0 + seed})
+        # the error of two numbers is half of what is between them
+        self.assertEqual(self.compare("u1", "u2").row("unconfined yield strength [kPa]")[-1], "11.50 ± 0.50 (s 0.71)")
+        self.assertEqual(self.compare("w1", "w2").row("kinematic angle of wall friction [deg]")[-1], "18.50 ± 0.50 (s 0.71)")
+        self.assertEqual(self.compare("f1", "f2").row("coordination")[-1], "5.50 ± 0.50 (s 0.71)")
+
+    def test_what_free_runs_measured(self):
+        """Angles of repose, mixing indices and mass flows, with their means: 28 and 30 deg, 0.8 and 0.9; one run has no drum."""
+        for seed, (angle, lacey) in enumerate(((28.0, 0.8), (30.0, 0.9), (32.0, None)), 1):
+            pages.free_run(self.path(f"f{seed}"))
+            gauges = {"head <b>": {"mass_flow_kg_per_s": {"mean": 0.8 + 0.01 * seed, "deviation": 0.02}}}
+            mixing = {} if lacey is None else {"drum": {"by": "number", "lacey": lacey}}
+            self.seeded(f"f{seed}", seed, {**pages.FREE, "repose": {"heap": {"angle_deg": angle, "error_deg": 0.9}}, "mixing": mixing, "gauges": gauges})
+        page = self.compare("f1", "f2", "f3")
+        # deviations 2, 0.1/sqrt(2) and 0.01, errors 2/sqrt(3), 0.05 and 0.01/sqrt(3)
+        self.assertEqual(page.row("angle of repose: heap [deg]")[1:], ["28.00 ± 0.90", "30.00 ± 0.90", "32.00 ± 0.90", "30.0 ± 1.2 (s 2.0)"])
+        self.assertEqual(page.row("mixing index (Lacey): drum")[1:], ["0.8", "0.9", "-", "0.850 ± 0.050 (s 0.071) (n 2)"])
+        self.assertEqual(page.row("mass flow: head <b> [kg/s]")[1:], ["0.810 ± 0.020", "0.820 ± 0.020", "0.830 ± 0.020", "0.8200 ± 0.0058 (s 0.0100)"])
+        self.assertIn('<td title="28 &plusmn; 0.9 deg">', page.text)
+
+    def seeded(self, name, seed, summary):
+        case = clod.read(self.path(f"{name}/case-complete.yaml")).decode()
+        pages.write(self.path(name), summary__json=summary, **{"case_HYPHEN_complete__yaml": f"{case}seed: {seed}\n"})
+
+    def test_warnings_of_each_run(self):
+        """Those that differ in their numbers are one, with the numbers of each; others have the names of their runs."""
+        self.shear("a", 1, warnings=[RISING % "0.75 ± 0.2", "point-4: no peak"])
+        self.shear("b", 2, warnings=[RISING % "1.5 ± 0.02"])
+        self.shear("c", 3, warnings=[RISING % "1.5 ± 0.02", "point-4: no peak"])
+        page = self.compare("a", "b", "c")
+        self.assertLess(page.text.index('id="warnings"'), page.text.index('id="results"'))
+        told = page.text[page.text.index('id="warnings"'):page.text.index('id="results"')]
+        words = html.unescape(re.sub(r"<[^>]*>", "", told))
+        self.assertIn("All 3 runs: " + RISING % "0.75 ± 0.2" + " (as a has it)", words)
+        for name, number in (("a", "0.75 ± 0.2"), ("b", "1.5 ± 0.02"), ("c", "1.5 ± 0.02")):
+            self.assertIn(f"{name}: " + RISING % number, words)
+        self.assertIn("a, c: point-4: no peak", words)
+        self.assertEqual(words.count("no peak"), 1)
+
+    def test_where_it_comes_from(self):
+        self.shear("one", 1)
+        self.shear("two", 7, version="clod 10")
+        page = self.compare("one", "two")
+        rows = next(table for table in page.tables if table[0][0] == "results folder")
+        at = [rows[0].index(head) for head in ("computed by", "until", "seed")]
+        self.assertEqual([[row[k] for k in at] for row in rows[1:]],
+                         [["clod 9", "2026-01-31 12:34 UTC", "1"], ["clod 10", "2026-01-31 12:34 UTC", "7"]])
+        version = clod.run("--version").stdout.split("\n")[0].split(",")[0]
+        self.assertIn(f"This page was written by {version}", "".join(page.words))
+
+    def test_a_run_that_is_not_complete(self):
+        self.shear("one", 1)
+        self.shear("two", 2)
+        os.remove(self.path("two/report.txt"))
+        page = self.compare("one", "two")
+        self.assertEqual(page.items[0], "two: The run is not complete: this page shows what there is so far.")
+
+    def test_no_warnings(self):
+        self.shear("one", 1)
+        self.shear("two", 2)
+        self.assertIn("No warnings.", "".join(self.compare("one", "two").words))
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
