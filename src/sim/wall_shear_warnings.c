@@ -63,7 +63,8 @@ bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size)
         "four grains wide, which no error bar of one specimen shows and which can look like "
         "adhesion. Raise wall_friction.seeds, or use cell: straight",
         plate, grains);
-    return clod_wall_cell_of(test)->turns && test->seeds == 1 && plate < grains;
+    return clod_wall_cell_of(test)->turns && test->seeds == 1 && plate < grains &&
+           test->plate_ridges.height == 0.0;
 }
 
 /** What one specimen in a ring cannot know, once it was sheared. */
@@ -126,7 +127,8 @@ static void add_gap(json_t *list, const clod_case *from, const clod_part *part)
 {
     const clod_wall_shear *t = part->test;
     const double gap =
-        (t->point[t->at - 1].height - t->bar_height) / (2.0 * from->wall_friction.radius_mean);
+        (t->point[t->at - 1].height - t->bar_height - from->wall_friction.plate_ridges.height) /
+        (2.0 * from->wall_friction.radius_mean);
     if (t->bar_height > 0.0 && gap < CLOD_LIMITS_BARS_GRAINS) {
         clod_warning_box_add(
             list,
