@@ -8,8 +8,8 @@
 
 #define SECTION "wall_friction"
 #define RIDGES SECTION ".plate_ridges"
-#define MOST_RIDGES 20000               ///< each is up to four surfaces of the plate
-#define FLATTEST (2.0 * M_PI / 180.0)   ///< rad of a flank: flatter ones are a plane to a mesh
+#define MOST_RIDGES 20000             ///< each is up to four surfaces of the plate
+#define FLATTEST (2.0 * M_PI / 180.0) ///< rad of a flank: flatter ones are a plane to a mesh
 #define STRESSES "wall_friction.wall_stresses"
 
 static bool clean(const clod_loader *loader, const char *path)
@@ -21,11 +21,11 @@ static bool clean(const clod_loader *loader, const char *path)
 static bool ridges_fit(clod_loader *loader, const clod_wall_ridges *ridges, bool ring)
 {
     if (ridges->width > ridges->room * (1.0 + 1e-9)) {
-        clod_check_fail(loader, clod_check_written(loader, RIDGES ".width", RIDGES ".spacing"),
-                        "the ridges overlap: %.6g m at the foot, and there is room for %.6g m%s; "
-                        "make them narrower, or the spacing wider",
-                        ridges->width, ridges->room,
-                        ring ? " at the inner wall of the ring" : "");
+        clod_check_fail(
+            loader, clod_check_written(loader, RIDGES ".width", RIDGES ".spacing"),
+            "the ridges overlap: %.6g m at the foot, and there is room for %.6g m%s; "
+            "make them narrower, or the spacing wider",
+            ridges->width, ridges->room, ring ? " at the inner wall of the ring" : "");
         return false;
     }
     if (ridges->crest > ridges->width) {
@@ -46,17 +46,18 @@ static void check_ridges(clod_loader *loader, const clod_case_wall_friction *tes
         return;
     }
     if (ridges.flank < FLATTEST) {
-        clod_check_fail(loader, RIDGES ".height",
-                        "flanks of %.3g deg: below 2 deg the plate counts as flat; raise height, "
-                        "or make the ridges narrower by width, crest or spacing",
-                        ridges.flank * 180.0 / M_PI);
-    }
-    if (ridges.height + hang >= test->depth) {
         clod_check_fail(
             loader, RIDGES ".height",
-            "the ridges reach %s: %.6g m%s is not less than depth = %.6g m",
-            hang > 0.0 ? "the bars of the lid" : "the top of the specimen",
-            ridges.height + hang, hang > 0.0 ? " with bar_height" : "", test->depth);
+            "flanks of %.3g deg: below 2 deg the plate counts as flat; raise height, "
+            "or make the ridges narrower by width, crest or spacing",
+            ridges.flank * 180.0 / M_PI);
+    }
+    if (ridges.height + hang >= test->depth) {
+        clod_check_fail(loader, RIDGES ".height",
+                        "the ridges reach %s: %.6g m%s is not less than depth = %.6g m",
+                        hang > 0.0 ? "the bars of the lid" : "the top of the specimen",
+                        ridges.height + hang, hang > 0.0 ? " with bar_height" : "",
+                        test->depth);
     }
     if (ridges.count > MOST_RIDGES) {
         clod_check_fail(loader, RIDGES ".spacing",

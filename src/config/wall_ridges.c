@@ -43,8 +43,7 @@ static double height_at(const clod_wall_ridges *self, double y)
 }
 
 /** Volume of the ridges of a ring between its walls [m3]: lengths differ across a ridge. */
-static double volume_in_ring(const clod_wall_ridges *self,
-                             const clod_case_wall_friction *test)
+static double volume_in_ring(const clod_wall_ridges *self, const clod_case_wall_friction *test)
 {
     const double ri = clod_wall_cell_inner(test), ro = test->outer_radius;
     double sum = 0.0;
@@ -108,7 +107,16 @@ double clod_wall_ridges_roughness(const clod_wall_ridges *self, double diameter)
 
 double clod_wall_ridges_felt(const clod_wall_ridges *self, double radius)
 {
-    const double half = 0.5 * (self->spacing - self->crest);
-    const double sinks = half < radius ? radius - sqrt(radius * radius - half * half) : radius;
-    return half < radius ? fmin(sinks, self->height) : self->height;
+    const double edge = 0.5 * (self->spacing - self->crest); // of a crest, from the middle
+    const double foot = 0.5 * (self->spacing - self->width);
+    const double sine = sin(self->flank), cosine = cos(self->flank);
+    const double touches = radius * sine; // where the ball meets a flank
+    double centre = radius;               // on the floor
+    if (edge < radius) {
+        centre = fmax(centre, self->height + sqrt(radius * radius - edge * edge));
+    }
+    if (touches >= foot && touches <= edge) {
+        centre = fmax(centre, (radius - foot * sine) / cosine);
+    }
+    return fmax(self->height + radius - centre, 0.0);
 }

@@ -40,6 +40,9 @@ double clod_wall_ridges_way(const clod_case_wall_friction *test);
  */
 double clod_wall_ridges_roughness(const clod_wall_ridges *self, double diameter);
 
-/** How deep a grain sinks between two crests, at most to the floor [m]: what it feels of their
- *  height. Upright flanks a spacing apart less their crest; radius in m. */
+/**
+ * How deep a ball sinks between two ridges, from where it lies on a crest [m]: what it feels of their
+ * height. It rests on the floor, two flanks or two edges.
+ * Test  tests/config/test_wall_ridges.c
+ */
 double clod_wall_ridges_felt(const clod_wall_ridges *self, double radius);

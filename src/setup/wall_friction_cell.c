@@ -35,9 +35,8 @@ bool clod_wall_friction_cell_amount(const clod_case *from, clod_sizes *sizes,
     const int material = clod_case_material_index(from, cell->grain_material);
     CLOD_ASSERT(material >= 0); // checked at load
     const clod_cell_part_bars bars = bars_of(cell);
-    const double room =
-        clod_wall_cell_area(cell) * cell->depth - clod_cell_part_bars_volume(&bars) -
-        clod_wall_ridges_of(cell).volume;
+    const double room = clod_wall_cell_area(cell) * cell->depth -
+                        clod_cell_part_bars_volume(&bars) - clod_wall_ridges_of(cell).volume;
     *amount = (clod_amount){.key = "wall_friction",
                             .sizes = sizes,
                             .count = cell->grain_count,

@@ -6,9 +6,10 @@
 #include "sim/wall_shear_warnings.h"
 #include "tester/limits.h"
 
-#define BAR_LIMIT 0.98     ///< grain diameters, as good as one
-#define FELT_LIMIT 0.01    ///< of a grain's radius that it sinks between crests: nothing
-#define SPACING_LIMIT 0.01 ///< by which the spacing in a ring may differ from what was asked for
+#define BAR_LIMIT 0.98  ///< grain diameters, as good as one
+#define FELT_LIMIT 0.01 ///< of a grain's radius that it sinks between crests: nothing
+#define SPACING_LIMIT                                                                          \
+    0.01 ///< by which the spacing in a ring may differ from what was asked for
 #define DEGREE (M_PI / 180.0)
 
 static void look_at_ridges(const clod_case_wall_friction *test, double radius,
@@ -88,11 +89,12 @@ void clod_check_wall_write(clod_check_page *to, const clod_check_report *r)
     clod_check_line(to, "cell", "%.1f grain diameters wide, %.1f deep; bars %.2f high",
                     r->across_width, r->across_depth, r->bar_diameters);
     if (r->plate_ridges > 0) {
-        clod_check_line(to, "plate",
-                        "%lld ridges, one every %.4g mm, flanks of %.3g deg; grains sink %.3g mm "
-                        "between them",
-                        (long long)r->plate_ridges, 1e3 * r->ridge_spacing,
-                        r->ridge_flank / DEGREE, 1e3 * r->ridge_felt);
+        clod_check_line(
+            to, "plate",
+            "%lld ridges, one every %.4g mm, flanks of %.3g deg; grains sink %.3g mm "
+            "between them",
+            (long long)r->plate_ridges, 1e3 * r->ridge_spacing, r->ridge_flank / DEGREE,
+            1e3 * r->ridge_felt);
         clod_check_line(to, "", "roughness over a grain's diameter Rmax(L = d)/d = %.3g",
                         r->plate_roughness);
     }

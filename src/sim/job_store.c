@@ -165,11 +165,12 @@ static bool read_origin(clod_job *job, char notice[1024], clod_status *status)
     }
     // all else of the cell is the same, or the cases would have been told apart before
     if (shapes_of(&job->state.walls) != shapes) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "--from %s: the plate with ridges there is not as long as this "
-                                "programme needs, which follows from the number of stresses and "
-                                "shear_max; run this case without --from",
-                                origin->folder);
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "--from %s: the plate with ridges there is not as long as this "
+            "programme needs, which follows from the number of stresses and "
+            "shear_max; run this case without --from",
+            origin->folder);
     }
     if (job->memory.finished == 0 || job->state.dt > needed * (1.0 + 1e-9)) {
         return clod_status_fail(

@@ -63,8 +63,8 @@ static void a_ring_has_a_whole_number_that_meet_at_its_inner_wall(void **state)
 static void narrower_ridges_begin_at_the_inner_wall(void **state)
 {
     (void)state;
-    const clod_case_wall_friction ring =
-        ring_of((clod_case_ridges){.height = 2e-3, .spacing = 6e-3, .width = 2e-3, .crest = 2e-3});
+    const clod_case_wall_friction ring = ring_of(
+        (clod_case_ridges){.height = 2e-3, .spacing = 6e-3, .width = 2e-3, .crest = 2e-3});
     const clod_wall_ridges r = clod_wall_ridges_of(&ring);
     check_relative(r.from, sqrt(900.0 - 1.0) * 1e-3, 1e-14);
     check_relative(r.flank, 0.5 * PI, 1e-14); // an upright bar
@@ -102,16 +102,23 @@ static void roughness_is_that_within_a_grains_diameter(void **state)
     check_relative(clod_wall_ridges_roughness(&r, 1e-3), 0.4, 1e-12);
 }
 
-// A ball of 5 mm radius sinks 5 mm - sqrt(25 - 2.5^2) mm = 0.6699 mm between edges 5 mm apart; one
-// of 2 mm falls to the floor.
+// Flanks of tan a = 0.4: the centre is r/cos a = r sqrt(1.16) above the line where they meet, so a
+// ball of 5 mm sinks 1 mm + 5 mm (1 - sqrt(1.16)) = 0.61484 mm, one of 2 mm 0.84593 mm. Between bars
+// with 5 mm in the clear one of 5 mm hangs on two edges, 5 mm - sqrt(25 - 2.5^2) mm = 0.66987 mm deep,
+// and one of 2 mm lies on the floor.
 static void what_a_grain_feels_is_how_deep_it_sinks(void **state)
 {
     (void)state;
-    const clod_case_wall_friction disc =
+    const clod_case_wall_friction edges =
         disc_of((clod_case_ridges){.height = 1e-3, .spacing = 5e-3}, 0.01);
-    const clod_wall_ridges r = clod_wall_ridges_of(&disc);
-    check_relative(clod_wall_ridges_felt(&r, 5e-3), 0.669873e-3, 1e-6);
-    check_relative(clod_wall_ridges_felt(&r, 2e-3), 1e-3, 1e-12);
+    const clod_case_wall_friction bars = disc_of(
+        (clod_case_ridges){.height = 1e-3, .spacing = 7e-3, .width = 2e-3, .crest = 2e-3},
+        0.01);
+    const clod_wall_ridges a = clod_wall_ridges_of(&edges), b = clod_wall_ridges_of(&bars);
+    check_close(clod_wall_ridges_felt(&a, 5e-3), 0.61484e-3, 1e-8);
+    check_close(clod_wall_ridges_felt(&a, 2e-3), 0.84593e-3, 1e-8);
+    check_close(clod_wall_ridges_felt(&b, 5e-3), 0.66987e-3, 1e-8);
+    check_close(clod_wall_ridges_felt(&b, 2e-3), 1e-3, 1e-15);
 }
 
 int main(void)

@@ -221,7 +221,7 @@ static void check_flank(const char *ridges, double slope, double crests)
         const bool held = now.x > 30e-3 - RADIUS; // it does not slide to and fro in the groove
         steadily = held && on_flank && now.height > before ? steadily + 1 : 0;
         top = k > 100 ? fmax(top, now.height) : 0.0; // it has fallen by then
-        if (steadily > 5) { // after the blow at the foot
+        if (steadily > 5) {                          // after the blow at the foot
             check_relative(now.weight, WEIGHT, 0.01);
             check_relative(now.drag / now.weight, slope, 1e-3);
             check_relative(now.side / now.weight, slope, 1e-3);
