@@ -134,7 +134,7 @@ static const clod_param ROWS[] = {
      .unused =
          "the ring of a straight cell holds the solid, its lid has no bars; remove this key",
      .help =
-         "Radial bars on the lid, which hold the solid; plate_ridges has those of the plate.",
+         "Radial bars on the lid, which hold the solid; those of the plate are its plate_ridges.",
      .source = "docs/theory/ring-shear.md (RST-01)"},
     OF_SOME(bar_height, CLOD_ABOVE(0, 1), "6.35 mm", has_bars,
             "there are no bars; remove this key",

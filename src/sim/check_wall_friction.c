@@ -188,9 +188,12 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
             "wall_friction.depth, or lower bar_height",
             gap, CLOD_LIMITS_BARS_GRAINS);
     }
-    char lever[512];
-    if (clod_wall_shear_lever(subject->from, lever, sizeof lever)) {
-        clod_check_warning(r, "%s", lever);
+    char text[512];
+    if (clod_wall_shear_lever(subject->from, text, sizeof text)) {
+        clod_check_warning(r, "%s", text);
+    }
+    if (clod_wall_shear_front(subject->from, text, sizeof text)) {
+        clod_check_warning(r, "%s", text);
     }
     if (test->wall_stress_count < 3) {
         clod_check_warning(r, "2 stresses: a line needs three or more to show its error; add "

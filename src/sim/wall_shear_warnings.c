@@ -4,11 +4,14 @@
 #include <stdio.h>
 
 #include "config/wall_cells.h"
+#include "config/wall_ridges.h"
 #include "sim/warning_box.h"
 #include "tester/limits.h"
 #include "tester/wall_shear.h"
 
 #define SIDE_LIMIT 0.05 ///< of the wall normal stress that the sides carry
+#define FRONT_LIMIT                                                                            \
+    0.2 ///< of a grain's diameter that it sinks between ridges, in a straight cell
 
 static void add_settling(json_t *list, const clod_case *from, const clod_part *part)
 {
@@ -67,8 +70,24 @@ bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size)
            test->plate_ridges.height == 0.0;
 }
 
-/** What one specimen in a ring cannot know, once it was sheared. */
-static void add_lever(json_t *list, const clod_case *from, const clod_part *part, int parts)
+bool clod_wall_shear_front(const clod_case *from, char *text, size_t size)
+{
+    const clod_case_wall_friction *test = &from->wall_friction;
+    const clod_wall_ridges ridges = clod_wall_ridges_of(test);
+    const double diameter = 2.0 * test->radius_mean;
+    const double sinks =
+        ridges.count > 0 ? clod_wall_ridges_felt(&ridges, test->radius_mean) : 0.0;
+    snprintf(
+        text, size,
+        "grains sink %.2g of their diameter between the ridges (at most %.2g in a straight "
+        "cell): the side wall scrapes them out of the grooves at its front, which adds to "
+        "tau_w, up to far above the solid's own strength. Use cell: ring",
+        sinks / diameter, FRONT_LIMIT);
+    return !clod_wall_cell_of(test)->turns && sinks > FRONT_LIMIT * diameter;
+}
+
+/** What a cell cannot do well, once it was used: one specimen in a ring; high ridges in no ring. */
+static void add_cell(json_t *list, const clod_case *from, const clod_part *part, int parts)
 {
     char text[512];
     bool sheared = false;
@@ -77,6 +96,9 @@ static void add_lever(json_t *list, const clod_case *from, const clod_part *part
         sheared = sheared || (part[p].point >= 0 && t->at > 0);
     }
     if (sheared && clod_wall_shear_lever(from, text, sizeof text)) {
+        clod_warning_box_add(list, "%s", text);
+    }
+    if (sheared && clod_wall_shear_front(from, text, sizeof text)) {
         clod_warning_box_add(list, "%s", text);
     }
 }
@@ -142,7 +164,7 @@ static void add_gap(json_t *list, const clod_case *from, const clod_part *part)
 json_t *clod_wall_shear_warnings(const clod_case *from, const clod_part *part, int parts)
 {
     json_t *list = json_array();
-    add_lever(list, from, part, parts);
+    add_cell(list, from, part, parts);
     for (int p = 0; p < parts; p++) {
         const clod_wall_shear *t = part[p].test;
         const int64_t points = part[p].point >= 0 ? t->at : 0;

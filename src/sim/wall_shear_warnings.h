@@ -16,6 +16,13 @@
 bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size);
 
 /**
+ * Whether grains that deep in the grooves of a straight plate are forced up at the front of the side
+ * wall so that tau_w is that of a scraper, not of the plate. Then `text` says so and what to do.
+ * Source  docs/results/wall-roughness.md.
+ */
+bool clod_wall_shear_front(const clod_case *from, char *text, size_t size);
+
+/**
  * Warnings of finished parts.
  *
  * @param part  [parts] finished
