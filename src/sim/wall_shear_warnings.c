@@ -73,17 +73,19 @@ bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size)
 bool clod_wall_shear_front(const clod_case *from, char *text, size_t size)
 {
     const clod_case_wall_friction *test = &from->wall_friction;
+    if (clod_wall_cell_of(test)->turns || test->plate_ridges.height == 0.0) {
+        return false;
+    }
     const clod_wall_ridges ridges = clod_wall_ridges_of(test);
     const double diameter = 2.0 * test->radius_mean;
-    const double sinks =
-        ridges.count > 0 ? clod_wall_ridges_felt(&ridges, test->radius_mean) : 0.0;
+    const double sinks = clod_wall_ridges_felt(&ridges, test->radius_mean) / diameter;
     snprintf(
         text, size,
         "grains sink %.2g of their diameter between the ridges (at most %.2g in a straight "
         "cell): the side wall scrapes them out of the grooves at its front, which adds to "
         "tau_w, up to far above the solid's own strength. Use cell: ring",
-        sinks / diameter, FRONT_LIMIT);
-    return !clod_wall_cell_of(test)->turns && sinks > FRONT_LIMIT * diameter;
+        sinks, FRONT_LIMIT);
+    return sinks > FRONT_LIMIT;
 }
 
 /** What a cell cannot do well, once it was used: one specimen in a ring; high ridges in no ring. */
