@@ -82,8 +82,8 @@ bool clod_wall_shear_front(const clod_case *from, char *text, size_t size)
     snprintf(
         text, size,
         "grains sink %.2g of their diameter between the ridges (at most %.2g in a straight "
-        "cell): the side wall scrapes them out of the grooves at its front, which adds to "
-        "tau_w, up to far above the solid's own strength. Use cell: ring",
+        "cell): the side wall holds them in the grooves, and tau_w can be far above "
+        "the solid's own strength. Use cell: ring",
         sinks, FRONT_LIMIT);
     return sinks > FRONT_LIMIT;
 }

@@ -16,8 +16,8 @@
 bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size);
 
 /**
- * Whether grains that deep in the grooves of a straight plate are forced up at the front of the side
- * wall so that tau_w is that of a scraper, not of the plate. Then `text` says so and what to do.
+ * Whether grains sink so deep between the ridges of a straight plate that it bore more than the solid's
+ * own strength, where a ring does not. Then `text` says so and what to do.
  * Source  docs/results/wall-roughness.md.
  */
 bool clod_wall_shear_front(const clod_case *from, char *text, size_t size);
