@@ -82,8 +82,8 @@ bool clod_wall_shear_front(const clod_case *from, char *text, size_t size)
     snprintf(
         text, size,
         "grains sink %.2g of their diameter between the ridges (at most %.2g in a straight "
-        "cell): the side wall holds them in the grooves, and tau_w can be far above "
-        "the solid's own strength. Use cell: ring",
+        "cell): so rough a plate bears more than the solid's own strength there, for the side "
+        "wall holds the solid down to the plate. Use cell: ring",
         sinks, FRONT_LIMIT);
     return sinks > FRONT_LIMIT;
 }
