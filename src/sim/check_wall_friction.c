@@ -192,7 +192,7 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
     if (clod_wall_shear_lever(subject->from, text, sizeof text)) {
         clod_check_warning(r, "%s", text);
     }
-    if (clod_wall_shear_front(subject->from, text, sizeof text)) {
+    if (clod_wall_shear_rough(subject->from, text, sizeof text)) {
         clod_check_warning(r, "%s", text);
     }
     if (test->wall_stress_count < 3) {

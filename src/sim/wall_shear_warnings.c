@@ -10,8 +10,7 @@
 #include "tester/wall_shear.h"
 
 #define SIDE_LIMIT 0.05 ///< of the wall normal stress that the sides carry
-#define FRONT_LIMIT                                                                            \
-    0.2 ///< of a grain's diameter that it sinks between ridges, in a straight cell
+#define SINK_LIMIT 0.18 ///< of a diameter between ridges, up to which both cells agree
 
 static void add_settling(json_t *list, const clod_case *from, const clod_part *part)
 {
@@ -70,7 +69,7 @@ bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size)
            test->plate_ridges.height == 0.0;
 }
 
-bool clod_wall_shear_front(const clod_case *from, char *text, size_t size)
+bool clod_wall_shear_rough(const clod_case *from, char *text, size_t size)
 {
     const clod_case_wall_friction *test = &from->wall_friction;
     if (clod_wall_cell_of(test)->turns || test->plate_ridges.height == 0.0) {
@@ -84,8 +83,8 @@ bool clod_wall_shear_front(const clod_case *from, char *text, size_t size)
         "grains sink %.2g of their diameter between the ridges (at most %.2g in a straight "
         "cell): so rough a plate bears more than the solid's own strength there, for the side "
         "wall holds the solid down to the plate. Use cell: ring",
-        sinks, FRONT_LIMIT);
-    return sinks > FRONT_LIMIT;
+        sinks, SINK_LIMIT);
+    return sinks > SINK_LIMIT;
 }
 
 /** What a cell cannot do well, once it was used: one specimen in a ring; high ridges in no ring. */
@@ -100,7 +99,7 @@ static void add_cell(json_t *list, const clod_case *from, const clod_part *part,
     if (sheared && clod_wall_shear_lever(from, text, sizeof text)) {
         clod_warning_box_add(list, "%s", text);
     }
-    if (sheared && clod_wall_shear_front(from, text, sizeof text)) {
+    if (sheared && clod_wall_shear_rough(from, text, sizeof text)) {
         clod_warning_box_add(list, "%s", text);
     }
 }

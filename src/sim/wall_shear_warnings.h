@@ -20,7 +20,7 @@ bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size);
  * own strength, where a ring does not. Then `text` says so and what to do.
  * Source  docs/results/wall-roughness.md.
  */
-bool clod_wall_shear_front(const clod_case *from, char *text, size_t size);
+bool clod_wall_shear_rough(const clod_case *from, char *text, size_t size);
 
 /**
  * Warnings of finished parts.
