@@ -262,6 +262,14 @@ typedef struct clod_case_uniaxial {
 /** Cells of a wall friction test, in the order of the case's words. */
 enum { CLOD_CASE_CELL_RING, CLOD_CASE_CELL_STRAIGHT };
 
+/** Straight ridges on a plate, across its way, all alike; height 0: the plate is flat. */
+typedef struct clod_case_ridges {
+    double height;  ///< m, of a crest above the floor
+    double spacing; ///< m, from crest to crest; in a ring at r_m, to a whole number of ridges
+    double width;   ///< m, of a ridge at its foot; 0: as wide as there is room
+    double crest;   ///< m, width of its flat top; 0: an edge
+} clod_case_ridges;
+
 /** Wall friction test: a specimen on a plate of the wall's material (docs/theory/wall-friction.md). */
 typedef struct clod_case_wall_friction {
     bool present;
@@ -270,6 +278,7 @@ typedef struct clod_case_wall_friction {
     double inner_radius, outer_radius, depth; ///< m; straight: inner_radius has no meaning
     int64_t bar_count;                        ///< ring: on the lid
     double bar_height, bar_width;             ///< m
+    clod_case_ridges plate_ridges;            ///< on the plate
     double lid_mass;                          ///< kg
     double lid_damping;                       ///< fraction of critical
     double radius_mean, radius_sd, radius_min, radius_max; ///< m

@@ -4,13 +4,67 @@
 #include "base/plural.h"
 #include "config/check.h"
 #include "config/wall_cells.h"
+#include "config/wall_ridges.h"
 
 #define SECTION "wall_friction"
+#define RIDGES SECTION ".plate_ridges"
+#define MOST_RIDGES 20000             ///< each is up to four surfaces of the plate
+#define FLATTEST (2.0 * M_PI / 180.0) ///< rad of a flank: flatter ones are a plane to a mesh
 #define STRESSES "wall_friction.wall_stresses"
 
 static bool clean(const clod_loader *loader, const char *path)
 {
     return clod_report_clean(loader->report, path);
+}
+
+/** Whether ridges of such a width fit beside one another, and have flanks. */
+static bool ridges_fit(clod_loader *loader, const clod_wall_ridges *ridges, bool ring)
+{
+    if (ridges->width > ridges->room * (1.0 + 1e-9)) {
+        clod_check_fail(
+            loader, clod_check_written(loader, RIDGES ".width", RIDGES ".spacing"),
+            "the ridges overlap: %.6g m at the foot, and there is room for %.6g m%s; "
+            "make them narrower, or the spacing wider",
+            ridges->width, ridges->room, ring ? " at the inner wall of the ring" : "");
+        return false;
+    }
+    if (ridges->crest > ridges->width) {
+        clod_check_fail(loader, RIDGES ".crest",
+                        "%.6g m is wider than the ridge at its foot, %.6g m", ridges->crest,
+                        ridges->width);
+        return false;
+    }
+    return true;
+}
+
+static void check_ridges(clod_loader *loader, const clod_case_wall_friction *test)
+{
+    const clod_wall_ridges ridges = clod_wall_ridges_of(test);
+    const double hang = clod_wall_cell_bars(test) > 0 ? test->bar_height : 0.0;
+    if (ridges.height == 0.0 || !clean(loader, RIDGES) ||
+        !ridges_fit(loader, &ridges, clod_wall_cell_of(test)->turns)) {
+        return;
+    }
+    if (ridges.flank < FLATTEST) {
+        clod_check_fail(
+            loader, RIDGES ".height",
+            "flanks of %.3g deg: below 2 deg the plate counts as flat; raise height, "
+            "or make the ridges narrower by width, crest or spacing",
+            ridges.flank * 180.0 / M_PI);
+    }
+    if (ridges.height + hang >= test->depth) {
+        clod_check_fail(loader, RIDGES ".height",
+                        "the ridges reach %s: %.6g m%s is not less than depth = %.6g m",
+                        hang > 0.0 ? "the bars of the lid" : "the top of the specimen",
+                        ridges.height + hang, hang > 0.0 ? " with bar_height" : "",
+                        test->depth);
+    }
+    if (ridges.count > MOST_RIDGES) {
+        clod_check_fail(loader, RIDGES ".spacing",
+                        "the plate would have %lld ridges, and clod takes %d; make the spacing "
+                        "wider",
+                        (long long)ridges.count, MOST_RIDGES);
+    }
 }
 
 static void check_bars(clod_loader *loader, const clod_case_wall_friction *test)
@@ -50,6 +104,7 @@ static void check_cell(clod_loader *loader, const clod_case_wall_friction *test)
     if (clod_wall_cell_bars(test) > 0) {
         check_bars(loader, test);
     }
+    check_ridges(loader, test);
 }
 
 /** Weight of the solid on the plate [Pa]; of a number of grains a little less than it is, for the

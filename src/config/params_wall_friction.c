@@ -43,6 +43,12 @@ static bool has_bars(const clod_case *whole, const void *self)
     return clod_wall_cell_bars(self) > 0;
 }
 
+static bool has_ridges(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const W *)self)->plate_ridges.height != 0.0;
+}
+
 static bool is_filled_by_depth(const clod_case *whole, const void *self)
 {
     (void)whole;
@@ -53,6 +59,42 @@ static const clod_param RADIUS[] = {CLOD_RADIUS_ROWS(W, CLOD_PARAM_REQUIRED)};
 static const clod_table RADIUS_TABLE = {
     .title = "Normal distribution of grain radii by number, cut to [min, max].",
     CLOD_ROWS(RADIUS)};
+
+#define RIDGE(name, needed, range, text, more)                                                 \
+    {                                                                                          \
+        .key = #name, .kind = CLOD_PARAM_REAL, .need = (needed), .unit = "m", range, more,     \
+        CLOD_AT(clod_case_ridges, name), .help = text,                                         \
+        .source = "docs/theory/wall-friction.md#a-plate-with-ridges"                           \
+    }
+
+static const clod_param RIDGES[] = {
+    RIDGE(height, CLOD_PARAM_REQUIRED, CLOD_ABOVE(0, 1),
+          "Height of a crest above the floor between the ridges: the roughness height Rz of "
+          "the plate.",
+          .example = "2 mm"),
+    RIDGE(spacing, CLOD_PARAM_REQUIRED, CLOD_ABOVE(0, 1),
+          "From crest to crest along the way of the plate; in a ring at the mean radius r_m, "
+          "and the ridges are the whole number that comes nearest.",
+          .example = "6 mm"),
+    {.key = "width",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_FROM(0, 1),
+     .zero_word = "auto",
+     .fallback = "auto",
+     .example = "3 mm",
+     CLOD_AT(clod_case_ridges, width),
+     .help = "Width of a ridge at its foot, or auto: the ridges meet, in a ring at its inner "
+             "wall. Flanks rise at 2 height/(width - crest).",
+     .source = "docs/theory/wall-friction.md#a-plate-with-ridges"},
+    RIDGE(crest, CLOD_PARAM_OPTIONAL, CLOD_FROM(0, 1),
+          "Width of a ridge's flat top: 0 is an edge, the width itself an upright bar.",
+          .fallback = "0 mm"),
+};
+static const clod_table RIDGES_TABLE = {
+    .title = "Ridges across the way of the plate: its geometrical roughness.",
+    CLOD_ROWS(RIDGES)};
 
 static const clod_param ROWS[] = {
     CLOD_TESTER_MATERIAL(W, grain_material, "Material of the grains.", "ore"),
@@ -91,7 +133,8 @@ static const clod_param ROWS[] = {
      .used = may_have_bars,
      .unused =
          "the ring of a straight cell holds the solid, its lid has no bars; remove this key",
-     .help = "Radial bars on the lid, which hold the solid; the plate has none.",
+     .help =
+         "Radial bars on the lid, which hold the solid; those of the plate are its plate_ridges.",
      .source = "docs/theory/ring-shear.md (RST-01)"},
     OF_SOME(bar_height, CLOD_ABOVE(0, 1), "6.35 mm", has_bars,
             "there are no bars; remove this key",
@@ -99,6 +142,15 @@ static const clod_param ROWS[] = {
             "docs/theory/ring-shear.md"),
     OF_SOME(bar_width, CLOD_ABOVE(0, 1), "3 mm", has_bars, "there are no bars; remove this key",
             "Thickness of a bar.", "docs/theory/ring-shear.md"),
+    {.key = "plate_ridges",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &RIDGES_TABLE,
+     CLOD_AT(W, plate_ridges),
+     .used = has_ridges,
+     .help = "Geometrical roughness of the plate; without it the plate is flat, and its "
+             "roughness is the friction of its contacts alone.",
+     .source = "docs/theory/wall-friction.md#a-plate-with-ridges"},
     CLOD_TESTER_LID(W),
     CLOD_TESTER_FILLING(W, "depth", is_filled_by_depth, "2000"),
     {.key = "wall_stresses",

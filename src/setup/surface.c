@@ -159,3 +159,21 @@ void clod_setup_mesh_fini(clod_setup_mesh *self)
     clod_setup_belt_fini(&self->belt);
     *self = (clod_setup_mesh){0};
 }
+
+void clod_setup_surface_shape(clod_surface *surface, int32_t patch, int32_t slot,
+                              clod_shape *shape)
+{
+    const clod_surface_patch *of = &surface->patches[patch];
+    const clod_vec3 low = clod_vec3_of(of->low), high = clod_vec3_of(of->high);
+    shape->kind = CLOD_SHAPE_MESH;
+    shape->center = clod_vec3_scale(clod_vec3_add(low, high), 0.5);
+    shape->axis[0] = (clod_vec3){1.0, 0.0, 0.0};
+    shape->axis[1] = (clod_vec3){0.0, 1.0, 0.0};
+    shape->axis[2] = (clod_vec3){0.0, 0.0, 1.0};
+    for (int a = 0; a < 3; a++) {
+        shape->half[a] = 0.5 * (of->high[a] - of->low[a]);
+    }
+    shape->surface = clod_surface_share(surface);
+    shape->patch = patch;
+    shape->slot = slot;
+}

@@ -7,6 +7,7 @@
 #include "clod/case.h"
 #include "mesh/surface.h"
 #include "setup/belt.h"
+#include "state/walls.h"
 
 /** The surface of a shape, and what its parts are made of. */
 typedef struct clod_setup_mesh {
@@ -29,3 +30,13 @@ clod_setup_mesh clod_setup_mesh_read(const clod_case_wall *wall, const clod_case
 
 /** Give up the surface and the list. */
 void clod_setup_mesh_fini(clod_setup_mesh *self);
+
+/**
+ * Make a shape a contact that a grain can have with a patch of a surface.
+ *
+ * @param surface  gets one more user
+ * @param slot     which of them, below CLOD_SURFACE_SLOTS
+ * @param shape    [in,out] material and belt stay
+ */
+void clod_setup_surface_shape(clod_surface *surface, int32_t patch, int32_t slot,
+                              clod_shape *shape);

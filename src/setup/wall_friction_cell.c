@@ -5,7 +5,9 @@
 
 #include "base/assert.h"
 #include "config/wall_cells.h"
+#include "config/wall_ridges.h"
 #include "setup/cell_part.h"
+#include "setup/ridged_plate.h"
 #include "setup/walls.h"
 
 /** Bars of the lid. */
@@ -33,8 +35,8 @@ bool clod_wall_friction_cell_amount(const clod_case *from, clod_sizes *sizes,
     const int material = clod_case_material_index(from, cell->grain_material);
     CLOD_ASSERT(material >= 0); // checked at load
     const clod_cell_part_bars bars = bars_of(cell);
-    const double room =
-        clod_wall_cell_area(cell) * cell->depth - clod_cell_part_bars_volume(&bars);
+    const double room = clod_wall_cell_area(cell) * cell->depth -
+                        clod_cell_part_bars_volume(&bars) - clod_wall_ridges_of(cell).volume;
     *amount = (clod_amount){.key = "wall_friction",
                             .sizes = sizes,
                             .count = cell->grain_count,
@@ -43,15 +45,21 @@ bool clod_wall_friction_cell_amount(const clod_case *from, clod_sizes *sizes,
     return cell_sizes(cell, sizes, status);
 }
 
-/** The plate: as wide as the specimen where it turns; else endless, for it moves on and on. */
-static void make_plate(const clod_case_wall_friction *cell, clod_wall *plate)
+/** The plate: as wide as the specimen where it turns; else endless, for it moves on and on, or as
+ *  long as its ridges are needed. */
+static bool make_plate(const clod_case_wall_friction *cell, clod_wall *plate,
+                       clod_status *status)
 {
+    if (clod_wall_ridges_of(cell).count > 0) {
+        return clod_setup_ridged_plate(cell, plate, status);
+    }
     plate->shapes[0] =
         clod_cell_part_ring(clod_wall_cell_inner(cell), cell->outer_radius, 0.0, 1.0);
     if (!clod_wall_cell_of(cell)->turns) {
         plate->shapes[0].kind = CLOD_SHAPE_PLANE;
     }
     clod_wall_find_symmetry(plate);
+    return true;
 }
 
 /** Side walls from the plate up. */
@@ -81,10 +89,9 @@ static bool make_walls(const clod_case *from, clod_state *state, clod_status *st
                              status)) {
         return false;
     }
-    make_plate(cell, plate);
     make_sides(cell, 0.0, sides);
     lid->shape_count = 0; // open until the grains are in
-    return true;
+    return make_plate(cell, plate, status);
 }
 
 /** The lid above the grains, the sides up to it, and the domain around all. */
@@ -124,7 +131,15 @@ static bool fill_cell(const clod_case *from, int64_t seed, clod_state *state, do
         .count = clod_amount_count(&amount, (uint64_t)seed, 1, status),
         .inner = clod_wall_cell_inner(cell),
         .outer = cell->outer_radius};
-    return what.count > 0 && clod_cell_part_fill(from, &what, state, height, status);
+    if (what.count == 0 || !clod_cell_part_fill(from, &what, state, height, status)) {
+        return false;
+    }
+    const double crests = cell->plate_ridges.height; // 0: grains stay where they are
+    for (size_t i = 0; crests > 0.0 && i < state->grains.count; i++) {
+        state->grains.position[i][2] += crests;
+    }
+    *height += crests;
+    return true;
 }
 
 bool clod_setup_wall_friction_cell(const clod_case *from, int64_t seed, clod_state *state,

@@ -191,7 +191,6 @@ static bool make_patches(const clod_case *whole, const clod_case_wall *given,
                         : more_shapes(wall, CLOD_SURFACE_SLOTS * surface->patch_count, status);
     for (size_t p = 0; shape != NULL && p < surface->patch_count; p++) {
         const clod_surface_patch *patch = &surface->patches[p];
-        const clod_vec3 low = clod_vec3_of(patch->low), high = clod_vec3_of(patch->high);
         clod_shape made = *common;
         if (mesh.parts[patch->part] != NULL) {
             dress(whole, mesh.parts[patch->part], &made);
@@ -199,17 +198,7 @@ static bool make_patches(const clod_case *whole, const clod_case_wall *given,
         place_shape(given, &made);
         for (int32_t slot = 0; slot < CLOD_SURFACE_SLOTS; slot++, shape++) {
             *shape = made;
-            shape->kind = CLOD_SHAPE_MESH;
-            shape->center = clod_vec3_scale(clod_vec3_add(low, high), 0.5);
-            shape->axis[0] = (clod_vec3){1.0, 0.0, 0.0};
-            shape->axis[1] = (clod_vec3){0.0, 1.0, 0.0};
-            shape->axis[2] = (clod_vec3){0.0, 0.0, 1.0};
-            for (int a = 0; a < 3; a++) {
-                shape->half[a] = 0.5 * (patch->high[a] - patch->low[a]);
-            }
-            shape->surface = clod_surface_share(surface);
-            shape->patch = (int32_t)p;
-            shape->slot = slot;
+            clod_setup_surface_shape(surface, (int32_t)p, slot, shape);
         }
     }
     const bool good = shape != NULL;

@@ -1,11 +1,29 @@
 #include <math.h>
 
 #include "config/wall_cells.h"
+#include "config/wall_ridges.h"
 #include "sim/check_testers.h"
 #include "sim/wall_shear_warnings.h"
 #include "tester/limits.h"
 
-#define BAR_LIMIT 0.98 ///< grain diameters, as good as one
+#define BAR_LIMIT 0.98  ///< grain diameters, as good as one
+#define FELT_LIMIT 0.01 ///< of a grain's radius that it sinks between crests: nothing
+#define SPACING_LIMIT                                                                          \
+    0.01 ///< by which the spacing in a ring may differ from what was asked for
+#define DEGREE (M_PI / 180.0)
+
+static void look_at_ridges(const clod_case_wall_friction *test, double radius,
+                           clod_check_report *report)
+{
+    const clod_wall_ridges ridges = clod_wall_ridges_of(test);
+    if (ridges.count > 0) {
+        report->plate_ridges = ridges.count;
+        report->ridge_spacing = ridges.spacing;
+        report->ridge_flank = ridges.flank;
+        report->ridge_felt = clod_wall_ridges_felt(&ridges, radius);
+        report->plate_roughness = clod_wall_ridges_roughness(&ridges, 2.0 * radius);
+    }
+}
 
 bool clod_check_wall_look(const clod_check_subject *subject, clod_check_report *report,
                           clod_status *status)
@@ -26,6 +44,7 @@ bool clod_check_wall_look(const clod_check_subject *subject, clod_check_report *
         subject, diameter, test->speed / report->height_aimed, report->stress);
     report->across_width = clod_wall_cell_width(test) / diameter;
     report->bar_diameters = clod_wall_cell_bars(test) > 0 ? test->bar_height / diameter : 0.0;
+    look_at_ridges(test, report->radius_mean, report);
     return true;
 }
 
@@ -69,6 +88,16 @@ void clod_check_wall_write(clod_check_page *to, const clod_check_report *r)
         1e-3 * r->lowest_stress, 1e3 * r->lowest_speed);
     clod_check_line(to, "cell", "%.1f grain diameters wide, %.1f deep; bars %.2f high",
                     r->across_width, r->across_depth, r->bar_diameters);
+    if (r->plate_ridges > 0) {
+        clod_check_line(
+            to, "plate",
+            "%lld ridges, one every %.4g mm, flanks of %.3g deg; grains sink %.3g mm "
+            "between them",
+            (long long)r->plate_ridges, 1e3 * r->ridge_spacing, r->ridge_flank / DEGREE,
+            1e3 * r->ridge_felt);
+        clod_check_line(to, "", "roughness over a grain's diameter Rmax(L = d)/d = %.3g",
+                        r->plate_roughness);
+    }
 }
 
 static const clod_check_real WALL_REALS[] = {
@@ -82,9 +111,40 @@ static const clod_check_real WALL_REALS[] = {
     CLOD_CHECK_REAL("bar_height_diameters", bar_diameters),
 };
 
+static const clod_check_real RIDGE_REALS[] = {
+    CLOD_CHECK_REAL("ridge_spacing_m", ridge_spacing),
+    CLOD_CHECK_REAL("ridge_flank_rad", ridge_flank),
+    CLOD_CHECK_REAL("ridge_depth_felt_m", ridge_felt),
+    CLOD_CHECK_REAL("plate_roughness", plate_roughness),
+};
+
 void clod_check_wall_put(json_t *to, const clod_check_report *r)
 {
     clod_check_put(to, r, WALL_REALS, sizeof WALL_REALS / sizeof WALL_REALS[0]);
+    if (r->plate_ridges > 0) {
+        json_object_set_new(to, "plate_ridges", json_integer((json_int_t)r->plate_ridges));
+        clod_check_put(to, r, RIDGE_REALS, sizeof RIDGE_REALS / sizeof RIDGE_REALS[0]);
+    }
+}
+
+/** Ridges that grains do not feel, or that are not as far apart as the case says. */
+static void warn_ridges(const clod_case_wall_friction *test, clod_check_report *r)
+{
+    const double asked = test->plate_ridges.spacing;
+    if (r->ridge_felt < FELT_LIMIT * r->radius_mean) {
+        clod_check_warning(
+            r,
+            "grains sink %.2g mm between the ridges of the plate, %.2g %% of their radius: they "
+            "hardly feel them. Raise wall_friction.plate_ridges.height or spacing, or leave the "
+            "ridges out and raise the friction of grains and plate",
+            1e3 * r->ridge_felt, 1e2 * r->ridge_felt / r->radius_mean);
+    }
+    if (fabs(r->ridge_spacing / asked - 1.0) > SPACING_LIMIT) {
+        clod_check_warning(r,
+                           "a spacing of %.6g mm does not divide the way round the ring: the "
+                           "plate has %lld ridges, one every %.4g mm",
+                           1e3 * asked, (long long)r->plate_ridges, 1e3 * r->ridge_spacing);
+    }
 }
 
 void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *r)
@@ -115,7 +175,11 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
             r->bar_diameters, 2e3 * r->radius_mean,
             test->bar_count == 0 ? ", and bar_count to 20" : "");
     }
-    const double gap = r->across_depth - r->bar_diameters;
+    if (r->plate_ridges > 0) {
+        warn_ridges(test, r);
+    }
+    const double ridges = test->plate_ridges.height / (2.0 * r->radius_mean);
+    const double gap = r->across_depth - r->bar_diameters - ridges;
     if (r->bar_diameters > 0.0 && gap < CLOD_LIMITS_BARS_GRAINS) {
         clod_check_warning(
             r,
@@ -124,9 +188,12 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
             "wall_friction.depth, or lower bar_height",
             gap, CLOD_LIMITS_BARS_GRAINS);
     }
-    char lever[512];
-    if (clod_wall_shear_lever(subject->from, lever, sizeof lever)) {
-        clod_check_warning(r, "%s", lever);
+    char text[512];
+    if (clod_wall_shear_lever(subject->from, text, sizeof text)) {
+        clod_check_warning(r, "%s", text);
+    }
+    if (clod_wall_shear_rough(subject->from, text, sizeof text)) {
+        clod_check_warning(r, "%s", text);
     }
     if (test->wall_stress_count < 3) {
         clod_check_warning(r, "2 stresses: a line needs three or more to show its error; add "

@@ -140,11 +140,21 @@ bool clod_job_begin_from(clod_job *job, const char *name, clod_status *status)
     return true;
 }
 
+static int32_t shapes_of(const clod_walls *walls)
+{
+    int32_t count = 0;
+    for (int32_t w = 0; w < walls->count; w++) {
+        count += walls->wall[w].shape_count;
+    }
+    return count;
+}
+
 /** Read the finished job of the other run; its tables have the marks of before. */
 static bool read_origin(clod_job *job, char notice[1024], clod_status *status)
 {
     clod_origin *origin = job->sim->origin;
     const double needed = job->state.dt;
+    const int32_t shapes = shapes_of(&job->state.walls);
     notice[0] = '\0';
     if (!clod_origin_open(origin, job->sim, status)) {
         return false;
@@ -152,6 +162,15 @@ static bool read_origin(clod_job *job, char notice[1024], clod_status *status)
     const shelf other = {origin->shelf, NULL};
     if (!read_checkpoint(job, &other, job->name, &job->memory, NULL, notice, status)) {
         return clod_origin_fail(origin, status);
+    }
+    // all else of the cell is the same, or the cases would have been told apart before
+    if (shapes_of(&job->state.walls) != shapes) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "--from %s: the plate with ridges there is not as long as this "
+            "programme needs, which follows from the number of stresses and "
+            "shear_max; run this case without --from",
+            origin->folder);
     }
     if (job->memory.finished == 0 || job->state.dt > needed * (1.0 + 1e-9)) {
         return clod_status_fail(

@@ -4,11 +4,13 @@
 #include <stdio.h>
 
 #include "config/wall_cells.h"
+#include "config/wall_ridges.h"
 #include "sim/warning_box.h"
 #include "tester/limits.h"
 #include "tester/wall_shear.h"
 
 #define SIDE_LIMIT 0.05 ///< of the wall normal stress that the sides carry
+#define SINK_LIMIT 0.18 ///< of a diameter between ridges, up to which both cells agree
 
 static void add_settling(json_t *list, const clod_case *from, const clod_part *part)
 {
@@ -63,11 +65,30 @@ bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size)
         "four grains wide, which no error bar of one specimen shows and which can look like "
         "adhesion. Raise wall_friction.seeds, or use cell: straight",
         plate, grains);
-    return clod_wall_cell_of(test)->turns && test->seeds == 1 && plate < grains;
+    return clod_wall_cell_of(test)->turns && test->seeds == 1 && plate < grains &&
+           test->plate_ridges.height == 0.0;
 }
 
-/** What one specimen in a ring cannot know, once it was sheared. */
-static void add_lever(json_t *list, const clod_case *from, const clod_part *part, int parts)
+bool clod_wall_shear_rough(const clod_case *from, char *text, size_t size)
+{
+    const clod_case_wall_friction *test = &from->wall_friction;
+    if (clod_wall_cell_of(test)->turns || test->plate_ridges.height == 0.0) {
+        return false;
+    }
+    const clod_wall_ridges ridges = clod_wall_ridges_of(test);
+    const double diameter = 2.0 * test->radius_mean;
+    const double sinks = clod_wall_ridges_felt(&ridges, test->radius_mean) / diameter;
+    snprintf(
+        text, size,
+        "grains sink %.2g of their diameter between the ridges (at most %.2g in a straight "
+        "cell): so rough a plate bears more than the solid's own strength there, for the side "
+        "wall holds the solid down to the plate. Use cell: ring",
+        sinks, SINK_LIMIT);
+    return sinks > SINK_LIMIT;
+}
+
+/** What a cell cannot do well, once it was used: one specimen in a ring; high ridges in no ring. */
+static void add_cell(json_t *list, const clod_case *from, const clod_part *part, int parts)
 {
     char text[512];
     bool sheared = false;
@@ -76,6 +97,9 @@ static void add_lever(json_t *list, const clod_case *from, const clod_part *part
         sheared = sheared || (part[p].point >= 0 && t->at > 0);
     }
     if (sheared && clod_wall_shear_lever(from, text, sizeof text)) {
+        clod_warning_box_add(list, "%s", text);
+    }
+    if (sheared && clod_wall_shear_rough(from, text, sizeof text)) {
         clod_warning_box_add(list, "%s", text);
     }
 }
@@ -126,7 +150,8 @@ static void add_gap(json_t *list, const clod_case *from, const clod_part *part)
 {
     const clod_wall_shear *t = part->test;
     const double gap =
-        (t->point[t->at - 1].height - t->bar_height) / (2.0 * from->wall_friction.radius_mean);
+        (t->point[t->at - 1].height - t->bar_height - from->wall_friction.plate_ridges.height) /
+        (2.0 * from->wall_friction.radius_mean);
     if (t->bar_height > 0.0 && gap < CLOD_LIMITS_BARS_GRAINS) {
         clod_warning_box_add(
             list,
@@ -140,7 +165,7 @@ static void add_gap(json_t *list, const clod_case *from, const clod_part *part)
 json_t *clod_wall_shear_warnings(const clod_case *from, const clod_part *part, int parts)
 {
     json_t *list = json_array();
-    add_lever(list, from, part, parts);
+    add_cell(list, from, part, parts);
     for (int p = 0; p < parts; p++) {
         const clod_wall_shear *t = part[p].test;
         const int64_t points = part[p].point >= 0 ? t->at : 0;

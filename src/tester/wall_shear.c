@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "config/wall_cells.h"
+#include "config/wall_ridges.h"
 #include "tester/bed.h"
 #include "tester/limits.h"
 
@@ -214,10 +215,10 @@ void clod_wall_shear_begin(clod_wall_shear *self, const clod_case *from, clod_st
         .area = lid->area,
         .mean_radius = mean_radius(cell),
         .grain_mass = clod_bed_mass(state),
-        .bars_volume = clod_bed_bars_volume(state),
+        .bars_volume = clod_bed_bars_volume(state) + clod_wall_ridges_of(cell).volume,
         .bar_height = bars,
         .lid_start = lid->shapes[0].center.z,
-        .lowest_lid = bars + 2.0 * clod_bed_largest(state),
+        .lowest_lid = bars + cell->plate_ridges.height + 2.0 * clod_bed_largest(state),
         .fill_max = cell->fill_max,
     };
     clod_wall_shear_programme(self, from);

@@ -66,7 +66,7 @@ typedef struct clod_wall_shear {
     double area;        ///< m2
     double mean_radius; ///< r_m [m]; 0: straight, the plate moves along x
     double grain_mass;  ///< kg, all grains
-    double bars_volume; ///< m3, of the lid's bars
+    double bars_volume; ///< m3, of the lid's bars and the plate's ridges
     double bar_height;  ///< m
     double lid_start;   ///< m, height of the lid's plane at shift 0
     double lowest_lid;  ///< m: below it no grain fits between bars and plate

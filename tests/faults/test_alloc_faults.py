@@ -35,7 +35,7 @@ WALL = ["run", clod.source("tests/cli/wall_friction.yaml"), "-o", "run", "-t", "
 # What differs between two runs: the rate and, of check, the lines that follow from it.
 CLOCK = re.compile(r"[0-9.e+-]+ grain-steps/s|[0-9]+ s of wall-clock time|"
                    r"^(rate|wall-clock|WARNING| .*( with one| free)$).*\n|"
-                   r"^ .*(slowest of five|other programs|beside these).*\n|"
+                   r"^ .*(slowest of five|other programs|beside these|while these).*\n|"
                    r'^  "(rate_(one|per|slow)|wall_clock|machine|processor_share|disk_free).*\n',
                    re.M)
 # What check says when there is no memory for the packing that it times: the rest is as ever.
@@ -55,6 +55,7 @@ VERBS = {
     "new to standard output": ["new", "free-run", "-"],
     "new with tables": ["new", "hopper"],
     "check": ["check", SMALL, "-t", "1"],
+    "check of a plate with ridges": ["check", clod.source("tests/cli/wall_roughness.yaml"), "-t", "1"],
     "check as JSON": ["check", "--json", SMALL, "-t", "1"],
     "run": RUN,
     "run with its page": RUN[:-1],

@@ -102,6 +102,19 @@ class Mpirun(clod.Case):
         points = clod.table(self.path("ranks-3/wall_friction.csv"))
         self.assertEqual([point["wall_stress"] for point in points], [1e3, 600.0])
 
+    def assert_same_on_ridges(self, *options):
+        self.assert_same_on((3,), WALL_FRICTION, *options, "--set",
+                            "wall_friction.plate_ridges={height: 1 mm, spacing: 4 mm}",
+                            parts=("fill", "wall"))
+
+    def test_a_wall_friction_test_on_ridges(self):
+        self.assert_same_on_ridges()
+
+    def test_a_wall_friction_ring_on_ridges(self):
+        self.assert_same_on_ridges("--set", "wall_friction.cell=ring",
+                                   "--set", "wall_friction.inner_radius=7 mm",
+                                   "--set", "wall_friction.bar_count=0")
+
     def test_a_jenike_test(self):
         self.assert_same_on((3,), JENIKE, "--set", "jenike.preshear_max=2.5 mm",
                             "--set", "jenike.shear_max=1 mm",

@@ -121,8 +121,30 @@ static void a_lever_that_no_error_shows_is_told(void **state)
     now.from.wall_friction.cell = CLOD_CASE_CELL_STRAIGHT;
     EXPECT(NULL);
     now.from.wall_friction.cell = CLOD_CASE_CELL_RING;
+    now.from.wall_friction.plate_ridges.height = 1e-3; // no smooth plate
+    EXPECT(NULL);
+    now.from.wall_friction.plate_ridges.height = 0.0;
     now.test[1].at = 0; // nothing was sheared
     EXPECT(NULL);
+}
+
+/** Flanks of 45 deg: a grain of 2 mm sinks 1 mm + 1 mm (1 - sqrt 2) = 0.586 mm, 0.29 diameters; flanks
+ *  of tan a = 0.4: 0.4 mm + 1 mm (1 - sqrt 1.16) = 0.323 mm, 0.16. */
+static void high_ridges_in_a_straight_cell_are_told(void **state)
+{
+    (void)state;
+    clod_case_wall_friction *test = &now.from.wall_friction;
+    test->cell = CLOD_CASE_CELL_STRAIGHT;
+    test->outer_radius = 0.01;
+    test->plate_ridges = (clod_case_ridges){.height = 1e-3, .spacing = 2e-3};
+    EXPECT("grains sink 0.29 of their diameter", "Use cell: ring");
+    test->cell = CLOD_CASE_CELL_RING;
+    EXPECT(NULL);
+    test->cell = CLOD_CASE_CELL_STRAIGHT;
+    test->plate_ridges.height = 0.4e-3;
+    EXPECT(NULL);
+    test->plate_ridges.width = 0.5e-3; // a floor wide enough for the grain to lie on: 0.4 mm
+    EXPECT("grains sink 0.2 of their diameter", "at most 0.18");
 }
 
 /** I = 0.01/0.02 1/s 2 mm sqrt(2500/20e3) = 3.5e-4 at 10 mm/s, and 3.5e-3 at 100 mm/s. */
@@ -143,6 +165,9 @@ static void bars_near_the_plate_are_told(void **state)
     EXPECT(NULL);
     now.test[1].bar_height = 0.017;
     EXPECT("wall: only 1.5 grain diameters between the bars", "Raise wall_friction.depth");
+    now.test[1].bar_height = 0.015; // and 2 mm of ridges below
+    now.from.wall_friction.plate_ridges.height = 2e-3;
+    EXPECT("wall: only 1.5 grain diameters between the bars", "Raise wall_friction.depth");
 }
 
 static void soft_grains_are_told(void **state)
@@ -160,6 +185,7 @@ int main(void)
         cmocka_unit_test_setup(a_stress_that_was_not_steady_has_its_rate, make_box),
         cmocka_unit_test_setup(sides_that_carry_are_told, make_box),
         cmocka_unit_test_setup(a_lever_that_no_error_shows_is_told, make_box),
+        cmocka_unit_test_setup(high_ridges_in_a_straight_cell_are_told, make_box),
         cmocka_unit_test_setup(what_is_too_fast_is_told, make_box),
         cmocka_unit_test_setup(bars_near_the_plate_are_told, make_box),
         cmocka_unit_test_setup(soft_grains_are_told, make_box),
