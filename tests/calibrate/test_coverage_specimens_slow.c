@@ -1,11 +1,11 @@
 /**
  * As test_coverage_specimens.c, over correlations, specimens and points: docs/theory/calibration.md has the
- * table. Some five minutes of processor time.
+ * table. Some four minutes of processor time.
  */
 
 #include "coverage.h"
 
-#define REPEATS 100
+#define REPEATS 60
 
 static void intervals_hold_the_truth_as_often_as_they_say(void **state)
 {
