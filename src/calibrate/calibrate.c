@@ -66,19 +66,31 @@ static void tell(void *context, const char *text)
     }
 }
 
+static void tell_all(const clod_warning_list *list, void (*say)(void *, const char *),
+                     void *context)
+{
+    for (size_t k = 0; k < list->count && say != NULL; k++) {
+        char text[CLOD_WARNING_LIST_TEXT + 16];
+        snprintf(text, sizeof text, "WARNING: %s", list->text[k]);
+        say(context, text);
+    }
+}
+
+/** Whether the first point lies outside the tables that it is compared with: before the others are run. */
+static void look_outside(void *context)
+{
+    const clod_runs *runs = context;
+    clod_warning_list *list = clod_memory_alloc(1, sizeof *list);
+    if (list != NULL) {
+        clod_runs_warn_outside(runs, list);
+        tell_all(list, runs->options.tell, runs->options.context);
+    }
+    clod_memory_free(list);
+}
+
 static bool stopped(void *context)
 {
     return atomic_load((clod_run_signal *)context) != 0;
-}
-
-/** Before hours are spent on a table that was misread. */
-static void tell_warnings(const clod_plan *plan, const clod_calibrate_options *options)
-{
-    for (size_t k = 0; k < plan->warnings.count && options->tell != NULL; k++) {
-        char text[CLOD_WARNING_LIST_TEXT + 16];
-        snprintf(text, sizeof text, "WARNING: %s", plan->warnings.text[k]);
-        options->tell(options->context, text);
-    }
 }
 
 static int workers_of(const clod_calibrate_options *options)
@@ -120,6 +132,7 @@ static bool work(const clod_plan *plan, const char *directory,
     const clod_study_source source = {.compute = clod_runs_compute,
                                       .seconds = clod_runs_seconds,
                                       .tell = tell,
+                                      .look = look_outside,
                                       .context = runs,
                                       .stop = how.stop};
     clod_study study;
@@ -149,7 +162,7 @@ bool clod_calibrate_run(const char *path, const clod_calibrate_options *options,
     const char *directory = options->directory != NULL ? options->directory : standard;
     good = good && directory != NULL;
     if (good) {
-        tell_warnings(&plan, options);
+        tell_all(&plan.warnings, options->tell, options->context); // before hours are spent
     }
     if (good) {
         good = options->dry ? tell_estimate(&plan, options, status)

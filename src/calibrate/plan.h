@@ -20,6 +20,7 @@
 #define CLOD_PLAN_NAME 144
 #define CLOD_PLAN_PARAMETERS 12 ///< at most
 #define CLOD_PLAN_POINTS 1000   ///< at most, whatever the budget
+#define CLOD_PLAN_SPECIMENS 24  ///< of a measured point, whose differences are kept
 
 /** A case that is run for each point; the fields after `path` come from the case. */
 typedef struct clod_plan_test {
@@ -55,14 +56,30 @@ typedef struct clod_plan_measure {
     int digits;       ///< behind the point; CLOD_PLAN_FIGURES: four figures in all
 } clod_plan_measure;
 
+/** What a specimen has more than the mean of all specimens of a point; SI. */
+typedef struct clod_plan_difference {
+    int64_t specimen; ///< its `seed` in the table
+    double value;
+} clod_plan_difference;
+
+/** The specimens of a measured point. */
+typedef struct clod_plan_repeats {
+    size_t count; ///< 0 or 1: the table has no repeats
+    bool
+        estimate; ///< the error is estimated from how they scatter: it is not known, but in the mean
+    clod_plan_difference differences[CLOD_PLAN_SPECIMENS]; ///< [count], the first of them
+} clod_plan_repeats;
+
 /** A target with its number; SI. */
 typedef struct clod_plan_target {
     char name[CLOD_PLAN_NAME];   ///< for people, each its own: "ring: phi_e"
     char number[CLOD_PLAN_NAME]; ///< of the test
     size_t test;                 ///< index
     size_t entry;                ///< of the plan's `targets`, that it comes from
+    size_t table;                ///< that it comes from, with others of its number; 0: none
     double normal_stress;
     double value, error, discrepancy; ///< standard deviations
+    clod_plan_repeats repeats;
     bool held_back;
     clod_plan_measure measure;
     /** Measured, over sigma_1: a run's number goes along it from the run's own sigma_1 to normal_stress;

@@ -16,6 +16,9 @@ typedef clod_plan_maker maker;
 
 #define STEP 1.2    ///< of a stress over another: closer points are of one consolidation
 #define AROUND 1.01 ///< of a stress: over which a slope is taken
+/** sigma_1 over the preshear stress: the Mohr circle through a point of an effective yield locus of phi_e
+ *  reaches to 1/(1 - sin(phi_e)) where it touches, 6 times at 56 deg. */
+#define MOST_OVER_PRESHEAR 6.0
 
 /** The mean of the points of each consolidation, in ascending order: between two specimens of one, at
  *  almost the same sigma_1, a slope would be nothing but their scatter. @return how many */
@@ -112,6 +115,28 @@ static bool check_choice(maker *self, const clod_number *kind, const clod_plan_s
     return false;
 }
 
+/**
+ * Whether sigma_1 of a table can belong to a shear test with this preshear stress; else a complaint. It is the
+ * largest stress of a circle through the preshear point, so never below the preshear stress.
+ */
+static bool check_consolidation(maker *self, size_t test, const clod_curve *curve)
+{
+    const clod_case_programme *shear = clod_case_shear(self->plan->tests[test].middle);
+    const double preshear = shear != NULL ? shear->preshear_stress : 0.0;
+    const double first = curve->points[0].x, last = curve->points[curve->count - 1].x;
+    const bool below = last < preshear;
+    if (shear == NULL || (!below && first <= MOST_OVER_PRESHEAR * preshear)) {
+        return true;
+    }
+    clod_check_fail(
+        self->loader, clod_plan_targets_at(self, "locus"),
+        "%s sigma_1 of %.6g kPa, and test %s is presheared at %.6g kPa: its own sigma_1 is "
+        "%s. Is the unit right? Else give the case a preshear stress that belongs to the table",
+        below ? "ends at" : "begins at", 1e-3 * (below ? last : first), self->wish->test,
+        1e-3 * preshear, below ? "above that" : "a few times that, not more than six");
+    return false;
+}
+
 /** Targets of the points of a curve. */
 static void make_targets(maker *self, size_t test, const clod_number *kind, clod_curve *from,
                          const char *error_column)
@@ -134,7 +159,8 @@ static void make_targets(maker *self, size_t test, const clod_number *kind, clod
             take_points(from, common.error, &list);
             clod_plan_samples_merge(&list, common.error);
         }
-        if (list.curve != NULL && check_choice(self, kind, &list)) {
+        if (list.curve != NULL && check_consolidation(self, test, list.curve) &&
+            check_choice(self, kind, &list)) {
             clod_plan_samples_make(self, kind, &common, &list, self->wish->normal_stress);
         }
     }

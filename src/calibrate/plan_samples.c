@@ -7,6 +7,8 @@
 #include "analysis/mean.h"
 #include "base/memory.h"
 
+#define FEW 3 ///< specimens
+
 typedef clod_plan_maker maker;
 typedef clod_plan_sample sample;
 
@@ -57,8 +59,10 @@ static size_t gather(sample *points, size_t count)
     return same;
 }
 
-/** That of points at one stress; error 0: a point has none. */
-static sample mean_of(const sample *points, size_t count, double slope, double *values)
+/** That of points at one stress, with its stated error; 0: a point has none.
+ *  @param scatter  [out] standard error of the mean by how they scatter; 0: there is one only */
+static sample mean_of(const sample *points, size_t count, double slope, double *values,
+                      double *scatter)
 {
     sample mean = {0};
     double stated = 0.0;
@@ -71,10 +75,41 @@ static sample mean_of(const sample *points, size_t count, double slope, double *
     for (size_t k = 0; k < count; k++) {
         values[k] = points[k].value + slope * (mean.stress - points[k].stress);
     }
-    const clod_locus_value of = clod_mean_of(values, count, stated);
-    mean.value = of.value;
-    mean.error = known ? of.error : 0.0;
+    mean.value = clod_mean_of(values, count, stated).value;
+    mean.error = known ? sqrt(stated) / (double)count : 0.0;
+    mean.repeats.count = count > 1 ? count : 0;
+    for (size_t k = 0; k < mean.repeats.count && k < CLOD_PLAN_SPECIMENS; k++) {
+        mean.repeats.differences[k] =
+            (clod_plan_difference){points[k].specimen, values[k] - mean.value};
+    }
+    *scatter = count > 1 ? clod_mean_of(values, count, 0.0).error : 0.0;
     return mean;
+}
+
+/** Errors from the scatter of all means together, where that is larger than what is stated. */
+static void pool(clod_plan_samples *self, const double *scatter)
+{
+    double squares = 0.0, degrees = 0.0;
+    bool relative = true; // a coefficient of variation needs values above 0
+    for (size_t k = 0; k < self->count; k++) {
+        const sample *one = &self->items[k];
+        const double weight = one->repeats.count > 1 ? (double)one->repeats.count - 1.0 : 0.0;
+        relative = relative && one->value > 0.0;
+        // s^2 of a specimen over the square of the value
+        squares += weight * (double)one->repeats.count * pow(scatter[k] / one->value, 2.0);
+        degrees += weight;
+    }
+    for (size_t k = 0; k < self->count; k++) {
+        sample *one = &self->items[k];
+        if (one->repeats.count < 2 || one->error <= 0.0) {
+            continue; // without a stated error it is asked for
+        }
+        const double error =
+            relative ? one->value * sqrt(squares / degrees / (double)one->repeats.count)
+                     : scatter[k];
+        one->repeats.estimate = error > one->error;
+        one->error = fmax(one->error, error);
+    }
 }
 
 void clod_plan_samples_merge(clod_plan_samples *self, double error)
@@ -87,9 +122,30 @@ void clod_plan_samples_merge(clod_plan_samples *self, double error)
     for (size_t first = 0, same; first < self->count; first += same) {
         sample *points = &self->items[first];
         same = gather(points, self->count - first);
-        self->items[merged++] = mean_of(points, same, self->slope, self->scratch);
+        self->items[merged] =
+            mean_of(points, same, self->slope, self->scratch + first, &self->scratch[merged]);
+        merged++;
     }
     self->count = merged;
+    pool(self, self->scratch);
+}
+
+/** Warn where errors are estimated from few specimens. */
+static void warn_few(maker *self, const clod_plan_samples *from)
+{
+    size_t fewest = 0;
+    for (size_t k = 0; k < from->count; k++) {
+        const clod_plan_repeats *of = &from->items[k].repeats;
+        fewest = of->estimate && (fewest == 0 || of->count < fewest) ? of->count : fewest;
+    }
+    if (fewest == 0 || fewest > FEW) {
+        return;
+    }
+    clod_warning_list_add(
+        &self->plan->warnings,
+        "%s: errors are estimated from %zu specimens, so each of them is uncertain by %.0f %%. Intervals are "
+        "wider for it (Student's t); more specimens make them narrower.",
+        self->wish->locus, fewest, 100.0 / sqrt(2.0 * ((double)fewest - 1.0)));
 }
 
 // ---- targets
@@ -107,6 +163,7 @@ static void make_point(maker *self, const clod_number *kind, const clod_plan_tar
     made.curve = from->curve;
     made.value = point.value;
     made.error = point.error;
+    made.repeats = point.repeats;
     if (made.error <= 0.0) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, ""),
                         "needs the key error: the table has no %s%s", from->error_column, at);
@@ -126,6 +183,7 @@ void clod_plan_samples_make(clod_plan_maker *self, const clod_number *kind,
                             const clod_plan_target *common, const clod_plan_samples *from,
                             double stress)
 {
+    warn_few(self, from);
     for (size_t k = 0; k < from->count; k++) {
         if (stress <= 0.0 || clod_plan_samples_same(from->items[k].stress, stress)) {
             make_point(self, kind, common, from, from->items[k]);

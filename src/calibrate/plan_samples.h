@@ -10,6 +10,8 @@
 /** A measured point. */
 typedef struct clod_plan_sample {
     double stress, value, error; ///< SI; error 0: the table has none; stress 0: there is none
+    int64_t specimen;            ///< `seed` of the table
+    clod_plan_repeats repeats;   ///< of a mean
 } clod_plan_sample;
 
 /** Those of a table. */
@@ -37,6 +39,9 @@ bool clod_plan_samples_common(clod_plan_maker *self, size_t test, const clod_num
  * slope to the mean of the stresses, with the larger of the stated error of that mean,
  * sqrt(sum e_i^2)/n, and the standard error from their scatter, s/sqrt(n) (clod_mean_of has the
  * source). In the order in which each stress first appears.
+ *
+ * A scatter of few specimens is a poor estimate, so those of all stresses are pooled: every point gets
+ * their mean coefficient of variation, weighted by n - 1 (docs/theory/calibration.md).
  *
  * @param error  of a point whose table has none; 0: none, and then that of the mean is 0
  */

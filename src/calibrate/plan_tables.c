@@ -15,6 +15,8 @@
 #include "calibrate/test_kinds.h"
 #include "clod/measured.h"
 
+#define SAME 1.000001 ///< of an error over another
+
 typedef clod_plan_maker maker;
 typedef clod_plan_sample sample;
 
@@ -37,8 +39,10 @@ static void make_locus_points(maker *self, const clod_number *kind,
         list.error_column = "tau_sh_error";
         for (size_t k = 0; k < locus->point_count; k++) {
             const clod_locus_mark *mark = &locus->marks[k];
-            list.items[list.count++] =
-                (sample){mark->sigma, mark->prorated, points[mark->index].tau_s_error};
+            list.items[list.count++] = (sample){.stress = mark->sigma,
+                                                .value = mark->prorated,
+                                                .error = points[mark->index].tau_s_error,
+                                                .specimen = mark->seed};
         }
         clod_plan_samples_merge(&list, common->error);
         clod_plan_samples_make(self, kind, common, &list, 0.0);
@@ -72,6 +76,9 @@ static void make_density(maker *self, const clod_number *kind, const clod_plan_t
     }
     sample one = {.value = locus->rho_b.value,
                   .error = density_error(locus, points, common->error)};
+    const double scatter = locus->rho_b.scatter / sqrt((double)locus->seed_count);
+    one.repeats.count = locus->seed_count;
+    one.repeats.estimate = isfinite(scatter) && one.error <= SAME * scatter;
     const clod_plan_samples list = {.items = &one, .count = 1, .error_column = "rho_b_error"};
     clod_plan_samples_make(self, kind, common, &list, 0.0);
 }
@@ -147,7 +154,10 @@ const clod_plan_table CLOD_PLAN_TABLE_SHEAR = {
 static sample angle_of(const clod_wall_locus_mark *mark, double stress)
 {
     const clod_locus_value *phi_x = &mark->phi_x;
-    return (sample){stress, phi_x->value, isfinite(phi_x->error) ? phi_x->error : 0.0};
+    return (sample){.stress = stress,
+                    .value = phi_x->value,
+                    .error = isfinite(phi_x->error) ? phi_x->error : 0.0,
+                    .specimen = mark->point.seed};
 }
 
 /** phi_x of the points of a wall yield locus, or of those at the wish's normal stress. */

@@ -170,6 +170,31 @@ static void name_apart(clod_plan *self)
     }
 }
 
+/** Whether two targets are points of one table, both used or both held back. */
+static bool one_table(const clod_plan *self, const clod_plan_target *a,
+                      const clod_plan_target *b)
+{
+    const char *of = self->wishes[a->entry].locus;
+    const char *other = self->wishes[b->entry].locus;
+    return of != NULL && other != NULL && a->test == b->test && a->held_back == b->held_back &&
+           strcmp(of, other) == 0 && strcmp(a->number, b->number) == 0;
+}
+
+/** Number the tables that targets come from. */
+static void number_tables(clod_plan *self)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        clod_plan_target *target = &self->targets[k];
+        target->table = self->wishes[target->entry].locus != NULL ? k + 1 : 0;
+        for (size_t m = 0; m < k; m++) {
+            if (one_table(self, &self->targets[m], target)) {
+                target->table = self->targets[m].table;
+                break;
+            }
+        }
+    }
+}
+
 /** A target of a number and a value. */
 static void make_number(maker *self, size_t test)
 {
@@ -232,4 +257,5 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
     }
     clod_plan_check_conflicts(loader, self);
     name_apart(self);
+    number_tables(self);
 }

@@ -23,9 +23,9 @@ _Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_SURROGATE_MOST,
 
 /** What the density needs. */
 typedef struct density {
-    const clod_plan *plan;
-    const clod_posterior_target *targets;
-    double *room; ///< of the surrogates
+    const clod_posterior *of;
+    clod_surrogate_value *told; ///< [targets]
+    double *room, *misfit_room; ///< of the surrogates, of the misfit
 } density;
 
 double clod_posterior_variance(const clod_plan_target *target)
@@ -33,22 +33,22 @@ double clod_posterior_variance(const clod_plan_target *target)
     return target->error * target->error + target->discrepancy * target->discrepancy;
 }
 
+/** What the surrogates say at a place; NAN where there is none. */
+static void ask(const clod_posterior *self, const double *place, clod_surrogate_value *told,
+                double *room)
+{
+    for (size_t t = 0; t < self->target_count; t++) {
+        const clod_surrogate *of = self->targets[t].surrogate;
+        told[t] = of != NULL ? clod_surrogate_at(of, place, room)
+                             : (clod_surrogate_value){(double)NAN, (double)NAN};
+    }
+}
+
 static double log_density(void *context, const double *place)
 {
     const density *self = context;
-    double sum = 0.0;
-    for (size_t t = 0; t < self->plan->target_count; t++) {
-        const clod_plan_target *target = &self->plan->targets[t];
-        if (target->held_back) {
-            continue;
-        }
-        const clod_surrogate_value told =
-            clod_surrogate_at(self->targets[t].surrogate, place, self->room);
-        const double variance = clod_posterior_variance(target) + told.variance;
-        const double off = target->value - told.mean;
-        sum -= 0.5 * (off * off / variance + log(variance));
-    }
-    return sum;
+    ask(self->of, place, self->told, self->room);
+    return clod_misfit_density(self->of->misfit, self->told, self->misfit_room);
 }
 
 /** The runs that have a target's number. */
@@ -168,42 +168,62 @@ const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t
 /** Room of `look`. */
 typedef struct sight {
     const clod_stop *stop;
-    size_t looked;      ///< samples
-    double *values;     ///< [samples of all chains]
-    double *chi, *room; ///< [looked], of the surrogates
+    size_t looked;              ///< samples
+    clod_surrogate_value *told; ///< [looked][targets]
+    double *variances;          ///< [looked][targets] of a measured value about what is told
+    double *values;             ///< [samples of all chains]
+    double *dice;               ///< [groups]
+    double *room, *misfit_room;
 } sight;
 
-/** What is predicted of one target at some samples: adds to the chi-square of each. False after a stop. */
-static bool predict(const clod_plan *plan, clod_posterior *self, size_t t, const sight *at)
+/** What surrogates tell at some samples, errors that are not known drawn; adds up chi-square and p. False
+ *  after a stop. */
+static bool look_at_samples(const clod_plan *plan, clod_posterior *self, const sight *at)
 {
-    const size_t looked = at->looked;
+    const size_t groups = clod_misfit_count(self->misfit);
+    for (size_t i = 0; i < at->looked; i++) {
+        if (clod_stop_asked(at->stop)) {
+            return false;
+        }
+        clod_surrogate_value *told = at->told + i * self->target_count;
+        ask(self, clod_posterior_sample(self, i, at->looked), told, at->room);
+        for (size_t g = 0; g < groups; g++) {
+            at->dice[g] = clod_random_uniform((uint64_t)plan->seed, CLOD_RANDOM_CALIBRATE,
+                                              DICE + self->target_count + g, i);
+        }
+        const double chi =
+            clod_misfit_draw(self->misfit, told, at->dice,
+                             at->variances + i * self->target_count, at->misfit_room);
+        self->chi_square += chi / (double)at->looked;
+        self->p_value += gsl_cdf_chisq_Q(chi, (double)self->used) / (double)at->looked;
+    }
+    return true;
+}
+
+/** What is predicted of one target. */
+static void predict(const clod_plan *plan, clod_posterior *self, size_t t, const sight *at)
+{
+    const double looked = (double)at->looked;
     const clod_plan_target *target = &plan->targets[t];
     clod_posterior_target *to = &self->targets[t];
     if (to->surrogate == NULL) {
         to->mean = to->off = to->low = to->high = (double)NAN;
-        return true;
+        return;
     }
     double mean = 0.0, square = 0.0, inner = 0.0;
-    for (size_t i = 0; i < looked; i++) {
-        if (clod_stop_asked(at->stop)) {
-            return false;
-        }
-        const double *place = clod_posterior_sample(self, i, looked);
-        const clod_surrogate_value told = clod_surrogate_at(to->surrogate, place, at->room);
-        const double variance = clod_posterior_variance(target) + told.variance;
-        const double off = target->value - told.mean;
-        at->chi[i] += target->held_back ? 0.0 : off * off / variance;
-        at->values[i] = told.mean + sqrt(variance) * clod_random_normal((uint64_t)plan->seed,
-                                                                        CLOD_RANDOM_CALIBRATE,
-                                                                        DICE + t, 2 * i);
-        mean += told.mean / (double)looked;
-        square += told.mean * told.mean / (double)looked;
-        inner += variance / (double)looked;
+    for (size_t i = 0; i < at->looked; i++) {
+        const double told = at->told[i * self->target_count + t].mean;
+        const double variance = at->variances[i * self->target_count + t];
+        at->values[i] =
+            told + sqrt(variance) * clod_random_normal((uint64_t)plan->seed,
+                                                       CLOD_RANDOM_CALIBRATE, DICE + t, 2 * i);
+        mean += told / looked;
+        square += told * told / looked;
+        inner += variance / looked;
     }
     to->mean = mean;
     to->off = (target->value - mean) / sqrt(inner + fmax(0.0, square - mean * mean));
-    interval(at->values, 1, looked, plan->sampling.level, &to->low, &to->high);
-    return true;
+    interval(at->values, 1, at->looked, plan->sampling.level, &to->low, &to->high);
 }
 
 /** Parameters, targets, and how well the targets go together. */
@@ -214,14 +234,17 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
         look_at_parameter(plan, self, k, at->values);
     }
     for (size_t t = 0; t < self->target_count; t++) {
-        if (!predict(plan, self, t, at)) {
-            return clod_stop_fail(status);
-        }
-        self->used += plan->targets[t].held_back ? 0 : 1;
+        const bool used = !plan->targets[t].held_back;
+        self->used += used ? 1 : 0;
+        self->predictive =
+            self->predictive || (used && self->targets[t].checked &&
+                                 self->targets[t].check.q2 >= CLOD_POSTERIOR_LEAST_Q2);
     }
-    for (size_t i = 0; i < at->looked; i++) {
-        self->chi_square += at->chi[i] / (double)at->looked;
-        self->p_value += gsl_cdf_chisq_Q(at->chi[i], (double)self->used) / (double)at->looked;
+    if (!look_at_samples(plan, self, at)) {
+        return clod_stop_fail(status);
+    }
+    for (size_t t = 0; t < self->target_count; t++) {
+        predict(plan, self, t, at);
     }
     return true;
 }
@@ -229,28 +252,52 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
 static bool look(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
 {
     const size_t looked = self->count < LOOKED ? self->count : LOOKED;
-    const sight at = {.stop = runs->stop,
-                      .looked = looked,
-                      .values = clod_memory_alloc(self->count, sizeof(double)),
-                      .chi = clod_memory_alloc(looked, sizeof(double)),
-                      .room = clod_posterior_room(self, 0)};
+    const size_t numbers = looked * self->target_count;
+    const sight at = {
+        .stop = runs->stop,
+        .looked = looked,
+        .told = clod_memory_alloc(numbers, sizeof *at.told),
+        .variances = clod_memory_alloc(numbers, sizeof(double)),
+        .values = clod_memory_alloc(self->count, sizeof(double)),
+        .dice = clod_memory_alloc(clod_misfit_count(self->misfit), sizeof(double)),
+        .room = clod_posterior_room(self, 0),
+        .misfit_room = clod_memory_alloc(clod_misfit_room(self->misfit), sizeof(double))};
     const bool good =
-        at.values != NULL && at.chi != NULL && at.room != NULL
+        at.told != NULL && at.variances != NULL && at.values != NULL && at.dice != NULL &&
+                at.room != NULL && at.misfit_room != NULL
             ? look_at_all(runs->plan, self, &at, status)
             : clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
+    clod_memory_free(at.told);
+    clod_memory_free(at.variances);
     clod_memory_free(at.values);
-    clod_memory_free(at.chi);
+    clod_memory_free(at.dice);
     clod_memory_free(at.room);
+    clod_memory_free(at.misfit_room);
     return good;
+}
+
+/** Groups of targets, once their surrogates are there. */
+static bool relate(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
+{
+    const clod_surrogate **surrogates =
+        clod_memory_alloc(self->target_count, sizeof *surrogates);
+    for (size_t t = 0; t < self->target_count && surrogates != NULL; t++) {
+        surrogates[t] = self->targets[t].surrogate;
+    }
+    const clod_misfit_runs of = {runs->plan, runs->points, runs->results, surrogates};
+    self->misfit = surrogates != NULL ? clod_misfit_create(&of) : NULL;
+    clod_memory_free(surrogates);
+    return self->misfit != NULL ||
+           clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
 }
 
 static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
 {
     const clod_plan *plan = runs->plan;
-    density of = {plan, self->targets, clod_posterior_room(self, 0)};
-    if (of.room == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory for the Markov chains.");
-    }
+    density of = {self, clod_memory_alloc(self->target_count, sizeof *of.told),
+                  clod_posterior_room(self, 0),
+                  clod_memory_alloc(clod_misfit_room(self->misfit), sizeof(double))};
+    const bool good = of.told != NULL && of.room != NULL && of.misfit_room != NULL;
     const clod_chain_setup setup = {.dimensions = self->dimensions,
                                     .chains = CHAINS,
                                     .warm_up = WARM_UP,
@@ -259,9 +306,12 @@ static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_s
                                     .density = log_density,
                                     .context = &of,
                                     .stop = runs->stop};
-    const bool done = clod_chain_run(&setup, self->samples, &self->accepted);
+    const bool done = good && clod_chain_run(&setup, self->samples, &self->accepted);
+    clod_memory_free(of.told);
     clod_memory_free(of.room);
-    return done || clod_stop_fail(status);
+    clod_memory_free(of.misfit_room);
+    return good ? done || clod_stop_fail(status)
+                : clod_status_fail(status, CLOD_FAILED, "No memory for the Markov chains.");
 }
 
 clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_status *status)
@@ -286,8 +336,8 @@ clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_stat
         self->target_count = self->targets == NULL ? 0 : self->target_count;
         clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
     }
-    good = good && fit(runs, self, status) && sample(runs, self, status) &&
-           look(runs, self, status);
+    good = good && fit(runs, self, status) && relate(runs, self, status) &&
+           sample(runs, self, status) && look(runs, self, status);
     if (!good) {
         clod_posterior_destroy(&self);
     }
@@ -302,6 +352,7 @@ void clod_posterior_destroy(clod_posterior **self)
     for (size_t t = 0; t < (*self)->target_count; t++) {
         clod_surrogate_destroy(&(*self)->targets[t].surrogate);
     }
+    clod_misfit_destroy(&(*self)->misfit);
     clod_memory_free((*self)->targets);
     clod_memory_free((*self)->parameters);
     clod_memory_free((*self)->correlation);

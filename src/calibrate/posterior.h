@@ -5,11 +5,13 @@
  * follows from them. docs/theory/calibration.md has the equations.
  */
 
+#include "calibrate/misfit.h"
 #include "calibrate/plan.h"
 #include "calibrate/stop.h"
 #include "calibrate/surrogate.h"
 
-#define CLOD_POSTERIOR_WHY 200 ///< bytes of a reason
+#define CLOD_POSTERIOR_WHY 200      ///< bytes of a reason
+#define CLOD_POSTERIOR_LEAST_Q2 0.5 ///< of a surrogate that predicts points that are left out
 
 /** Runs so far: [points][seeds] of them, in this order. */
 typedef struct clod_posterior_runs {
@@ -50,6 +52,8 @@ typedef struct clod_posterior {
     double accepted;
     double chi_square, p_value; ///< posterior predictive, of the targets that are used
     size_t used;                ///< targets
+    bool predictive;     ///< the surrogate of one at least predicts points that are left out
+    clod_misfit *misfit; ///< owned
 } clod_posterior;
 
 /**

@@ -11,19 +11,21 @@
 #define EDGE_SHARE 0.3    // of the samples in the last 5 % of a range
 #define LARGEST_RHAT 1.05 // Gelman et al. (2013) ask for 1.1 at most; many now for 1.01 to 1.05
 #define LEAST_EFFECTIVE                                                                        \
-    400 // samples: 100 a chain (Vehtari et al., Bayesian Anal. 16 (2021) 667)
-#define LEAST_Q2 0.5
+    400           // samples: 100 a chain (Vehtari et al., Bayesian Anal. 16 (2021) 667)
+#define TOLD 0.25 // of the range: the targets tell the parameter
+#define WEAKLY_TOLD 0.6
 #define TIED 0.9
 
 const char *const CLOD_RESULT_IDENTIFIED_NAMES[] = {[CLOD_RESULT_IDENTIFIED] = "yes",
                                                     [CLOD_RESULT_WEAKLY] = "weakly",
                                                     [CLOD_RESULT_NOT_IDENTIFIED] = "no"};
 
-clod_result_identified clod_result_identified_of(const clod_posterior_parameter *self)
+clod_result_identified clod_result_identified_of(const clod_posterior *self, size_t k)
 {
-    return self->width < 0.5   ? CLOD_RESULT_IDENTIFIED
-           : self->width < 0.8 ? CLOD_RESULT_WEAKLY
-                               : CLOD_RESULT_NOT_IDENTIFIED;
+    const double width = self->parameters[k].width;
+    return width < TOLD && self->predictive ? CLOD_RESULT_IDENTIFIED
+           : width < WEAKLY_TOLD            ? CLOD_RESULT_WEAKLY
+                                            : CLOD_RESULT_NOT_IDENTIFIED;
 }
 
 const char *clod_result_number(const clod_plan_parameter *self, double place, char *buffer,
@@ -103,7 +105,7 @@ static void warn_targets(clod_result *self)
                 of->name, of->measure.factor * of->value, of->measure.factor * one->low,
                 of->measure.factor * one->high, of->measure.unit);
         }
-        if (one->checked && one->check.q2 < LEAST_Q2) {
+        if (one->checked && one->check.q2 < CLOD_POSTERIOR_LEAST_Q2) {
             clod_warning_list_add(
                 &self->warnings,
                 "%s: its surrogate predicts points that are left out hardly better than their mean "
@@ -127,7 +129,7 @@ static void warn_parameters(clod_result *self)
                 name, one->above > one->below ? "upper" : "lower",
                 100.0 * fmax(one->above, one->below));
         }
-        if (clod_result_identified_of(one) == CLOD_RESULT_NOT_IDENTIFIED) {
+        if (clod_result_identified_of(from, k) == CLOD_RESULT_NOT_IDENTIFIED) {
             clod_warning_list_add(
                 &self->warnings,
                 "These targets do not tell %s: its interval is %.0f %% as wide as its range.",

@@ -16,13 +16,14 @@ typedef struct clod_result {
     clod_warning_list warnings;
 } clod_result;
 
-/** What a posterior width says: 0.5 and 0.8 of the range's interval are the borders. */
+/** What a posterior width says: 0.25 and 0.6 of the range's interval are the borders. */
 typedef enum clod_result_identified {
     CLOD_RESULT_IDENTIFIED,     ///< the targets tell the parameter
     CLOD_RESULT_WEAKLY,         ///< they narrow its range a little
     CLOD_RESULT_NOT_IDENTIFIED, ///< they hardly do
 } clod_result_identified;
-clod_result_identified clod_result_identified_of(const clod_posterior_parameter *self);
+/** Of parameter k; weakly at best where no used target has a surrogate that predicts. */
+clod_result_identified clod_result_identified_of(const clod_posterior *self, size_t k);
 extern const char *const CLOD_RESULT_IDENTIFIED_NAMES[];
 
 /** Look for what is to be said: contradictions, ends of ranges, chains, surrogates, failed runs. */

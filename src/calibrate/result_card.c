@@ -59,9 +59,10 @@ static void put_value(FILE *out, const clod_result *self, size_t k, size_t depth
             of->unit[0] == '\0' ? "" : " ", of->unit, 100.0 * self->plan->sampling.level,
             clod_result_number(of, one->low, low, sizeof low),
             clod_result_number(of, one->high, high, sizeof high));
-    if (clod_result_identified_of(one) != CLOD_RESULT_IDENTIFIED) {
-        fprintf(out, "; identified by the targets: %s",
-                CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(one)]);
+    if (clod_result_identified_of(self->study->posterior, k) != CLOD_RESULT_IDENTIFIED) {
+        fprintf(
+            out, "; identified by the targets: %s",
+            CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(self->study->posterior, k)]);
     }
     fputc('\n', out);
 }

@@ -31,7 +31,7 @@ static json_t *parameter(const clod_result *self, size_t k)
                      clod_json_number(clod_plan_number(of, one->low)), "high",
                      clod_json_number(clod_plan_number(of, one->high)), "relative_width",
                      clod_json_number(one->width), "identified",
-                     CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(one)], "rhat",
+                     CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(from, k)], "rhat",
                      clod_json_number(one->rhat), "effective_samples",
                      clod_json_number(one->effective), "correlations", tied);
 }

@@ -41,7 +41,7 @@ static void put_parameters(FILE *out, const clod_result *self)
         fprintf(out, "  %-16s %12.4g %13.4g %12.4g  %-10s %6.2f  %-10s %7.3f %8.0f\n", of->name,
                 clod_plan_number(of, one->mean), clod_plan_number(of, one->low),
                 clod_plan_number(of, one->high), of->unit, one->width,
-                CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(one)], one->rhat,
+                CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(from, k)], one->rhat,
                 one->effective);
     }
     fputs(

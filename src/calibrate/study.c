@@ -158,6 +158,9 @@ bool clod_study_run(const clod_plan *plan, const clod_study_source *source, clod
         return false;
     }
     tell_undefined(plan, source, study->results);
+    if (source->look != NULL) {
+        source->look(source->context);
+    }
     if (!count_points(plan, source, &points, status)) {
         return false;
     }

@@ -21,6 +21,8 @@ typedef struct clod_study_source {
     double (*seconds)(void *context, size_t points);
     /** Tell people how far it is; NULL: nobody is told. */
     void (*tell)(void *context, const char *text);
+    /** Look at the first point, when it is computed; NULL: nobody does. */
+    void (*look)(void *context);
     void *context;
     const clod_stop *stop; ///< asked while posteriors are made; NULL: never
 } clod_study_source;

@@ -302,6 +302,11 @@ double clod_surrogate_noise(const clod_surrogate *self)
     return sqrt(self->variance * (gaussian ? self->nugget : 1.0));
 }
 
+double clod_surrogate_residual(const clod_surrogate *self, size_t i)
+{
+    return gsl_vector_get(self->residual, i);
+}
+
 double clod_surrogate_likelihood(const clod_surrogate *self)
 {
     return self->likelihood;

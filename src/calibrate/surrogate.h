@@ -95,6 +95,10 @@ size_t clod_surrogate_room(const clod_surrogate *self);
 /** Standard deviation between packings of one point. */
 double clod_surrogate_noise(const clod_surrogate *self);
 
+/** What run number i is off the fit, L^-1 (results - H b): of all runs independent, with one variance, where
+ *  the surrogate holds; of a polynomial the plain residual. */
+double clod_surrogate_residual(const clod_surrogate *self, size_t i);
+
 /** Greatest restricted log likelihood, without constants. */
 double clod_surrogate_likelihood(const clod_surrogate *self);
 

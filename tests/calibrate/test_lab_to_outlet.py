@@ -44,7 +44,7 @@ class Page(page.Case):
     def test_the_calibration_on_the_page_is_that_of_the_card(self):
         """Mean and interval: the row of the table, the card in the case, and the plan's parameter."""
         with open(CARD) as file:
-            card = re.search(r"pull_off_force: (\S+) mN # 90 %: (\S+) mN to (\S+) mN\n", file.read())
+            card = re.search(r"pull_off_force: (\S+) mN # 90 %: (\S+) mN to (\S+) mN(?:;.*)?\n", file.read())
         told = [text for command, text in page.steps(PAGE) if command.startswith("clod calibrate plan.yaml -o")]
         self.assertEqual(len(told), 1)
         row = re.search(r"^  pull_off_force +(\S+) +(\S+) +(\S+)  mN ", told[0], re.MULTILINE)

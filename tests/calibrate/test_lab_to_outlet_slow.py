@@ -1,4 +1,4 @@
-"""The calibrations, the shear test and the rusty chutes of docs/howto/from-lab-report-to-outlet.md, with what they print: some six
+"""The calibrations, the shear test and the rusty chutes of docs/howto/from-lab-report-to-outlet.md, with what they print: some eight
 minutes of processor time."""
 
 import os

@@ -88,9 +88,10 @@ static void point_stands_at_the_stress_that_was_asked_for(void **state)
     clod_plan_fini(&plan);
 }
 
-// tau_p is 40 kPa in all, so tau_sh is prorated already. 30 kPa: 30, 30.3, 30.6, stated 0.6, 0.6 and the
-// plan's 0.7: sqrt(1.21)/3, more than the scatter's 0.3/sqrt(3). 12 kPa: 19, 20, 24, squares 4 + 1 + 9,
-// so sqrt(14/2/3), more than the stated 0.7/sqrt(3).
+// tau_p is 40 kPa in all, so tau_sh is prorated already. 30 kPa: 30, 30.3, 30.6, s^2 0.09 kPa^2; 12 kPa: 19, 20,
+// 24, squares 4 + 1 + 9, s^2 7 kPa^2. Coefficient of variation of both: its square is the mean of 0.09/30.3^2 and
+// 7/21^2, 0.089298^2, so 1.5622 and 1.0827 kPa of the means. Stated 0.6, 0.6 and the plan's 0.7 are less,
+// sqrt(1.21)/3, and so is 0.7/sqrt(3).
 static void specimens_at_one_stress_are_one_target(void **state)
 {
     clod_plan plan;
@@ -102,8 +103,22 @@ static void specimens_at_one_stress_are_one_target(void **state)
     assert_true(lab_load(state, RING, "contacts.default.rolling_friction",
                          "locus: lab.csv, error: 0.7 kPa", &plan, &status));
     assert_int_equal(plan.target_count, 2);
-    lab_check_target(&plan.targets[0], "lab: tau at 30 kPa", 30e3, 30.3e3, 1.1e3 / 3.0);
-    lab_check_target(&plan.targets[1], "lab: tau at 12 kPa", 12e3, 21e3, 1e3 * sqrt(7.0 / 3.0));
+    const double share = sqrt(0.5 * (0.09 / (30.3 * 30.3) + 7.0 / (21.0 * 21.0)) / 3.0);
+    lab_check_target(&plan.targets[0], "lab: tau at 30 kPa", 30e3, 30.3e3, share * 30.3e3);
+    lab_check_target(&plan.targets[1], "lab: tau at 12 kPa", 12e3, 21e3, share * 21e3);
+    static const double OFF[2][3] = {{-0.3e3, 0.0, 0.3e3}, {-2e3, -1e3, 3e3}};
+    for (size_t t = 0; t < 2; t++) {
+        const clod_plan_repeats *of = &plan.targets[t].repeats;
+        assert_true(of->count == 3 && of->estimate && plan.targets[t].table == 1);
+        for (size_t k = 0; k < 3; k++) {
+            assert_int_equal(of->differences[k].specimen, k + 1);
+            assert_true(fabs(of->differences[k].value - OFF[t][k]) < 1e-6);
+        }
+    }
+    assert_int_equal(plan.warnings.count > 0, 1);
+    assert_non_null(
+        strstr(plan.warnings.text[0],
+               "errors are estimated from 3 specimens, so each of them is uncertain by 50 %"));
     clod_plan_fini(&plan);
 }
 

@@ -243,6 +243,25 @@ static void rows_that_a_shear_test_cannot_choose_are_refused(void **state)
                "targets.0.locus: 30 kPa is not among the consolidation_stresses of test lab");
 }
 
+// Presheared at 54.8 kPa, so sigma_1 is above that, and up to 6 54.8 = 328.8 kPa: MPa for kPa, Pa for kPa.
+static void table_of_another_consolidation_is_refused(void **state)
+{
+    lab_write_file(state, "lab.csv", FLOW_HEAD "10,5,0.3\n50,15,0.8\n");
+    lab_refuse(
+        state, RING, "locus: lab.csv, normal_stress: 50 kPa",
+        "targets.0.locus: ends at sigma_1 of 50 kPa, and test lab is presheared at 54.8 kPa: its own "
+        "sigma_1 is above that. Is the unit right?");
+    lab_write_file(state, "lab.csv", FLOW_HEAD "330,100,5\n600,150,8\n");
+    lab_refuse(
+        state, RING, "locus: lab.csv, normal_stress: 330 kPa",
+        "targets.0.locus: begins at sigma_1 of 330 kPa, and test lab is presheared at 54.8 kPa: its own "
+        "sigma_1 is a few times that, not more than six.");
+    clod_plan plan;
+    lab_write_file(state, "lab.csv", FLOW_HEAD "320,100,5\n600,150,8\n");
+    lab_load_good(state, RING, "locus: lab.csv, normal_stress: 320 kPa", &plan);
+    clod_plan_fini(&plan);
+}
+
 static void columns_that_are_wrong_are_told(void **state)
 {
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rhob [kg/m3]\n20,1200\n54.8,1250\n");
@@ -298,6 +317,7 @@ int main(void)
         TEST(shear_test_is_read_at_the_stress_of_the_table),
         TEST(uniaxial_test_is_read_at_the_stress_of_the_table),
         TEST(rows_that_a_shear_test_cannot_choose_are_refused),
+        TEST(table_of_another_consolidation_is_refused),
         TEST(columns_that_are_wrong_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -68,12 +68,12 @@ static void check(made *self, const char *text)
 static void runs_beyond_a_table_are_told(void **state)
 {
     made all;
-    make(&all, state, RING, FLOW_HEAD "30,10,0.5\n", "locus: lab.csv");
+    make(&all, state, RING, FLOW_HEAD "200,30,1.5\n", "locus: lab.csv");
     write_result(&all, 0, "/points.csv", AT_115);
     write_result(&all, 1, "/points.csv", AT_58);
     check(
         &all,
-        "2 runs of test lab had sigma_1 of 57.66 to 115.3 kPa, and the table of target lab: sigma_c at 30 kPa has 30 kPa: they are compared with its one row as if they were there. Add measured rows at such stresses, or consolidate the test at another one.");
+        "2 runs of test lab had sigma_1 of 57.66 to 115.3 kPa, and the table of target lab: sigma_c at 200 kPa has 200 kPa: they are compared with its one row as if they were there. Add measured rows at such stresses, or consolidate the test at another one.");
 }
 
 static void runs_near_a_table_are_not_told(void **state)
@@ -89,7 +89,7 @@ static void runs_near_a_table_are_not_told(void **state)
 static void failed_and_damaged_runs_are_not_looked_at(void **state)
 {
     made all;
-    make(&all, state, RING, FLOW_HEAD "30,10,0.5\n", "locus: lab.csv");
+    make(&all, state, RING, FLOW_HEAD "200,30,1.5\n", "locus: lab.csv");
     write_result(&all, 0, "/points.csv", AT_115);
     write_result(&all, 1, "/points.csv", "damaged\n");
     all.rows[0].state = CLOD_RUNS_FAILED;

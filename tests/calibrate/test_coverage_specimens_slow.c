@@ -1,0 +1,28 @@
+/**
+ * As test_coverage_specimens.c, over correlations, specimens and points: docs/theory/calibration.md has the
+ * table. Some four minutes of processor time.
+ */
+
+#include "coverage.h"
+
+#define REPEATS 60
+
+static void intervals_hold_the_truth_as_often_as_they_say(void **state)
+{
+    (void)state;
+    static const double CORRELATIONS[] = {0.0, 0.5, 0.9};
+    static const int SPECIMENS[] = {3, COVERAGE_SPECIMENS};
+    static const int64_t POINTS[] = {5, 12, 24};
+    for (size_t k = 0; k < 18; k++) {
+        const coverage of = {CORRELATIONS[k / 6], SPECIMENS[k % 2], POINTS[k / 2 % 3], REPEATS};
+        coverage_check(&of, 0.7);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(intervals_hold_the_truth_as_often_as_they_say),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
