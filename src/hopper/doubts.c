@@ -8,7 +8,8 @@
 
 #define DEGREE (M_PI / 180.0)
 #define LEAST_TEST                                                                             \
-    100.0 // Pa: a tenth of the least preshear stress that ring shear testers are used at
+    100.0     // Pa: a tenth of the least preshear stress that ring shear testers are used at
+#define FEW 3 // degrees of freedom below which the scatter of specimens is hardly known
 #define APART 0.01 // relative distance below which two stresses count as the same
 
 /** A property that has to come from somewhere. */
@@ -342,6 +343,24 @@ static void warn_rathole(clod_hopper *self)
     }
 }
 
+/** Few specimens, whose scatter is hardly known. */
+static void warn_few(clod_hopper *self, const char *test, const clod_curve *curve)
+{
+    size_t least = 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        const size_t freedom = curve->points[i].freedom;
+        least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
+    }
+    if (least > 0 && least < FEW) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: the intervals rest on the scatter of %zu specimens, which tells little of how "
+            "specimens differ: they are drawn from Student's t of %zu degree%s of freedom. More "
+            "specimens make them narrower.",
+            test, least + 1, least, least == 1 ? "" : "s");
+    }
+}
+
 void clod_doubts_warn(clod_hopper *self, bool one_specimen)
 {
     warn_strength(self);
@@ -349,6 +368,8 @@ void clod_doubts_warn(clod_hopper *self, bool one_specimen)
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
     warn_rathole(self);
     warn_errors(self);
+    warn_few(self, "Yield loci", &self->solid.strength);
+    warn_few(self, "Wall yield locus", &self->solid.wall);
     if (one_specimen) {
         clod_warning_list_add(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
     }

@@ -53,6 +53,13 @@ typedef struct clod_hopper_found {
                                      ///< measured curve (samples.h); NAN: not known
 } clod_hopper_found;
 
+/** What a specimen that is in all yield loci makes of the design, alone; the wall as measured. */
+typedef struct clod_hopper_alone {
+    int64_t seed;
+    double half_angle[CLOD_HOPPER_SHAPES]; ///< rad; 0: funnel flow
+    double outlet[CLOD_HOPPER_SHAPES];     ///< m; 0: no arch; INFINITY: none is large enough
+} clod_hopper_alone;
+
 struct clod_hopper {
     clod_hopper_case from; ///< owned content
     char *path;            ///< owned, of the case
@@ -65,5 +72,7 @@ struct clod_hopper {
     double
         holed[CLOD_HOPPER_HOLES]; ///< share of the samples in which G of that rathole is known
     clod_rathole hole;
+    clod_hopper_alone *alone; ///< [alone_count] owned; NULL: fewer than two such specimens
+    size_t alone_count;
     clod_warning_list warnings;
 };

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/given.h"
+#include "base/memory.h"
 #include "base/text.h"
 #include "hopper/fields.h"
 #include "hopper/words.h"
@@ -68,8 +69,31 @@ static void put_planned(FILE *out, const clod_hopper_found *found)
     }
 }
 
-static void put_shape(FILE *out, const clod_hopper_found *found)
+/** The outlets that specimens ask for, each alone: "43.1 (seed 101), 42.9 (seed 102) mm". */
+static void put_alone(FILE *out, const clod_hopper *self, int shape)
 {
+    const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_OUTLET];
+    clod_text list;
+    FILE *to = self->alone_count > 0 ? clod_text_open(&list) : NULL;
+    if (to == NULL) {
+        return;
+    }
+    for (size_t k = 0; k < self->alone_count; k++) {
+        fputs(k > 0 ? ", " : "", to);
+        put_number(to, 1, how, self->alone[k].outlet[shape]);
+        fprintf(to, " (seed %lld)", (long long)self->alone[k].seed);
+    }
+    fputs(" mm", to);
+    char *text = clod_text_close(&list);
+    if (text != NULL) {
+        put_text(out, "  critical outlet by specimen ", text);
+    }
+    clod_memory_free(text);
+}
+
+static void put_shape(FILE *out, const clod_hopper *self, int shape)
+{
+    const clod_hopper_found *found = &self->shape[shape];
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
     char text[CLOD_WORDS_MOST];
     fprintf(out, "\n%s\n",
@@ -86,6 +110,7 @@ static void put_shape(FILE *out, const clod_hopper_found *found)
     }
     clod_words_shares(found, text);
     put_text(out, "  samples ", text);
+    put_alone(out, self, (int)found->wish.shape);
     put_planned(out, found);
 }
 
@@ -119,8 +144,8 @@ char *clod_hopper_table(const clod_hopper *self)
     fprintf(out, "Hopper%s%s\n\n", self->from.title != NULL ? ": " : "",
             self->from.title != NULL ? self->from.title : "");
     fprintf(out, "  %-32s%10s%10.3g %%%10.3g %%\n", "", "value", tail, 100.0 - tail);
-    put_shape(out, &self->shape[CLOD_RADIAL_CONE]);
-    put_shape(out, &self->shape[CLOD_RADIAL_WEDGE]);
+    put_shape(out, self, CLOD_RADIAL_CONE);
+    put_shape(out, self, CLOD_RADIAL_WEDGE);
     put_rathole(out, self);
     fprintf(out, "\n  %.3g %% interval from %lld samples, seed %lld; H(theta) by %s\n",
             100.0 * self->from.interval.level, (long long)self->from.interval.samples,
