@@ -115,12 +115,12 @@ static void the_state_fits_its_own_properties(void **state)
     make_solid(&of, 45.0, 20.0, 1500.0);
     add_strength(&of, 2.0, 1.6);
     add_strength(&of, 9.0, 3.7);
-    static clod_curve_point phi_e[] = {{1e3, 0.95, 0, 0, NULL}, {4e3, 0.80, 0, 0, NULL}};
-    static clod_curve_point rho[] = {{1e3, 1300.0, 0, 0, NULL}, {4e3, 1500.0, 0, 0, NULL}};
-    static clod_curve_point wall[] = {{5e2, 250.0, 0, 0, NULL}, {4e3, 1550.0, 0, 0, NULL}};
-    of.solid.phi_e = (clod_curve){CLOD_CURVE_HELD, phi_e, 2, 0, NULL};
-    of.solid.rho = (clod_curve){CLOD_CURVE_HELD, rho, 2, 0, NULL};
-    of.solid.wall = (clod_curve){CLOD_CURVE_EXTENDED, wall, 2, 0, NULL};
+    static clod_curve_point phi_e[] = {{.x = 1e3, .y = 0.95}, {.x = 4e3, .y = 0.80}};
+    static clod_curve_point rho[] = {{.x = 1e3, .y = 1300.0}, {.x = 4e3, .y = 1500.0}};
+    static clod_curve_point wall[] = {{.x = 5e2, .y = 250.0}, {.x = 4e3, .y = 1550.0}};
+    of.solid.phi_e = (clod_curve){.way = CLOD_CURVE_HELD, .points = phi_e, .count = 2};
+    of.solid.rho = (clod_curve){.way = CLOD_CURVE_HELD, .points = rho, .count = 2};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 2};
     const clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 0.0, CLOD_HOPPER_ARCH_ARNOLD);
     const clod_hopper_design at = clod_hopper_design_shape(&of.solid, &wish);
     assert_int_equal(at.outcome, CLOD_HOPPER_FLOWS);
@@ -151,11 +151,11 @@ static void adhesion_at_small_stresses_only(void **state)
     add_strength(&of, 0.8, 3.2);
     add_strength(&of, 6.0, 5.0);
     add_strength(&of, 20.0, 9.0);
-    static clod_curve_point wall[] = {{1e3, 1.0e3, 0, 0, NULL},
-                                      {2e3, 1.3e3, 0, 0, NULL},
-                                      {4e3, 1.9e3, 0, 0, NULL},
-                                      {16e3, 5.5e3, 0, 0, NULL}};
-    of.solid.wall = (clod_curve){CLOD_CURVE_EXTENDED, wall, 4, 0, NULL};
+    static clod_curve_point wall[] = {{.x = 1e3, .y = 1.0e3},
+                                      {.x = 2e3, .y = 1.3e3},
+                                      {.x = 4e3, .y = 1.9e3},
+                                      {.x = 16e3, .y = 5.5e3}};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 4};
     clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 20.0, CLOD_HOPPER_ARCH_ARNOLD);
     const clod_hopper_margin at = clod_hopper_margin_of(&of.solid, &wish, 2.0);
     check_relative(at.stress, 1300.0 * 9.80665 * 2.0 * 65.0 / 150.0, 1e-12);
