@@ -24,9 +24,11 @@ static void design(clod_hopper *self, clod_radial_shape shape, const clod_hopper
                                      .half_angle = wanted->half_angle,
                                      .margin = self->from.margin,
                                      .arch = (clod_hopper_arch)self->from.arch,
+                                     .outlet = wanted->outlet,
+                                     .least = PARTICLES[shape] * self->from.largest_particle,
                                      .tolerance = CLOD_RADIAL_TOLERANCE};
-    found->planned = wanted->outlet;
-    found->mechanical = PARTICLES[shape] * self->from.largest_particle;
+    found->planned = found->wish.outlet;
+    found->mechanical = found->wish.least;
     found->design = clod_hopper_design_shape(&self->solid, &found->wish);
     clod_hopper_outcome outcome;
     double number[CLOD_HOPPER_NUMBERS];
