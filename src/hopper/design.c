@@ -346,17 +346,18 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
     if (built == 0.0) {
         at = self;
     }
-    at.limit = limit_at(&at.state, wish->tolerance);
     const bool funnel = self.outcome == CLOD_HOPPER_FUNNEL;
     if (built > 0.0 || self.outcome == CLOD_HOPPER_NO_ARCH || funnel) {
-        const double good =
-            funnel && built == 0.0 ? strength->points[strength->count - 1].x : at.state.sigma_1;
-        begin_to_slide(solid, wish, good, &self);
+        const bool here = slides(solid, wish, at.state.sigma_1);
+        begin_to_slide(solid, wish,
+                       funnel && !here ? strength->points[strength->count - 1].x
+                                       : at.state.sigma_1,
+                       &self);
     }
-    if (funnel && built == 0.0 && self.sticks) {
+    if (self.sticks && self.outlet > built) {
         at = self;
-        at.limit = limit_at(&at.state, wish->tolerance);
     }
+    at.limit = limit_at(&at.state, wish->tolerance);
     at.half_angle = wish->half_angle;
     judge(&self, &at, built);
     return self;

@@ -54,6 +54,16 @@ static json_t *shape_of(const clod_hopper_found *found)
             json_object_set_new(self, field->key, interval(&found->number[n], field->json));
         }
     }
+    const clod_hopper_design *at = &found->design;
+    if (at->built > 0.0) {
+        json_object_set_new(
+            self, "judged_at",
+            json_pack("{s:o, s:o, s:o, s:o, s:o}", "outlet_m", number(at->built), "sigma_1_Pa",
+                      number(at->judged.sigma_1), "sigma_w_Pa", number(at->judged.sigma_w),
+                      "phi_e_deg", number(DEGREES * at->judged.phi_e), "phi_w_deg",
+                      number(DEGREES * at->judged.phi_w)));
+    }
+    json_object_set_new(self, "outlet_by_wall", json_boolean(at->sticks));
     if (found->planned > 0.0) {
         json_object_set_new(self, "planned_outlet_m", number(found->planned));
         json_object_set_new(self, "planned_outlet_arching_share", number(found->arching));

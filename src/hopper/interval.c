@@ -54,6 +54,7 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     number[CLOD_HOPPER_PHI_W] = critical ? at.state.phi_w : none;
     number[CLOD_HOPPER_RHO] = critical ? at.state.rho : none;
     number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
+    number[CLOD_HOPPER_JUDGED_PHI_W] = slides ? at.judged.phi_w : none;
     number[CLOD_HOPPER_MARGIN] = none;
     if (asked_for_margin(found)) {
         clod_hopper_wish built =

@@ -27,6 +27,7 @@ typedef enum clod_hopper_number {
     CLOD_HOPPER_RHO,         ///< kg/m3
     CLOD_HOPPER_ARCH,        ///< H; NAN: funnel flow
     CLOD_HOPPER_MARGIN,      ///< NAN: no outlet is given, or funnel flow
+    CLOD_HOPPER_JUDGED_PHI_W, ///< rad, where limit and half angle are judged; NAN: funnel flow
     CLOD_HOPPER_NUMBERS,
 } clod_hopper_number;
 

@@ -100,6 +100,9 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
             cone ? "Cone, round outlet" : "Wedge, slot at least 3 times as long");
     clod_words_verdict(found, text);
     put_text(out, "  ", text);
+    if (clod_words_judged(found, text)) {
+        put_text(out, "  limit and half angle: ", text);
+    }
     for (int n = 0; n < CLOD_HOPPER_MARGIN; n++) {
         put_line(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
     }

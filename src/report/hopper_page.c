@@ -121,34 +121,48 @@ static void put_shape(FILE *out, const clod_hopper *design, int shape)
     fputs("</div>\n", out);
 }
 
+static void put_hole(FILE *out, const clod_hopper *design, int hole, const char *what)
+{
+    const clod_hopper_value *diameter = &design->rathole[hole];
+    char numbers[240], caption[1024];
+    tell(numbers, &CLOD_HOPPER_CELLS_HOLES[hole], diameter);
+    snprintf(caption, sizeof caption, "%s. %s", what, numbers);
+    put_card(out, &CLOD_HOPPER_CELLS_HOLES[hole], diameter->value, caption);
+}
+
+/** Cards of ratholes; of one that is not known, why. */
 static void put_holes(FILE *out, const clod_hopper *design)
 {
-    char numbers[240], caption[512];
+    const int asked = design->silo.diameter > 0.0 ? CLOD_HOPPER_HOLES : 1;
+    char what[CLOD_HOPPER_HOLES][240], why[CLOD_HOPPER_HOLES][CLOD_WORDS_MOST];
+    bool none[CLOD_HOPPER_HOLES] = {true, true};
     if (design->solid.phi_t.count == 0) {
         return;
     }
-    fputs("<h3>Rathole, if it is funnel flow</h3>\n<div class=\"cards\">\n", out);
-    tell(numbers, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_EMPTYING],
-         &design->rathole[CLOD_HOPPER_EMPTYING]);
     snprintf(
-        caption, sizeof caption,
-        "diameter that stays, at least: from the stresses around the hole while it empties. %s",
-        numbers);
-    put_card(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_EMPTYING],
-             design->rathole[CLOD_HOPPER_EMPTYING].value, caption);
-    if (design->silo.diameter > 0.0) {
-        tell(numbers, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_FILLING],
-             &design->rathole[CLOD_HOPPER_FILLING]);
-        snprintf(
-            caption, sizeof caption,
-            "diameter that stays, at most: from the head after filling, %.3f kPa below %.4g m "
-            "of solid in a silo of %.4g m. %s",
-            1e-3 * design->hole.filling_stress, design->silo.height, design->silo.diameter,
-            numbers);
-        put_card(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_FILLING],
-                 design->rathole[CLOD_HOPPER_FILLING].value, caption);
+        what[CLOD_HOPPER_EMPTYING], sizeof what[0],
+        "diameter that stays, at least: from the stresses around the hole while it empties");
+    snprintf(
+        what[CLOD_HOPPER_FILLING], sizeof what[0],
+        "diameter that stays, at most: from the head after filling, %.3f kPa below %.4g m of "
+        "solid in a silo of %.4g m",
+        1e-3 * design->hole.filling_stress, design->silo.height, design->silo.diameter);
+    fputs("<h3>Rathole, if it is funnel flow</h3>\n", out);
+    for (int k = 0; k < asked; k++) {
+        none[k] = clod_words_no_rathole(design, k, why[k]);
+        if (none[k]) {
+            clod_html_cell(out, "p", why[k]);
+        }
     }
-    fputs("</div>\n", out);
+    if (!none[CLOD_HOPPER_EMPTYING] || !none[CLOD_HOPPER_FILLING]) {
+        fputs("<div class=\"cards\">\n", out);
+        for (int k = 0; k < asked; k++) {
+            if (!none[k]) {
+                put_hole(out, design, k, what[k]);
+            }
+        }
+        fputs("</div>\n", out);
+    }
 }
 
 static void put_warnings(FILE *out, const clod_warning_list *warnings)
