@@ -148,22 +148,38 @@ static double guess_angle(const clod_solid *solid, const clod_hopper_wish *wish)
 /** How an outlet flows. */
 typedef enum flow { SLIDES, STICKS, UNSETTLED } flow;
 
-/** The state in flow at an outlet below a given half angle, by rounds from a first stress. */
+/**
+ * The state in flow at an outlet below a given half angle, by rounds from a first stress. They may
+ * jump down to where the solid sticks, past a state in which it slides; bounds lead back.
+ */
 static flow flow_below(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
                        double first, clod_hopper_design *at)
 {
-    double sigma_1 = first;
+    search in = {first, 1e-9, 1e12};
+    flow how = UNSETTLED;
+    bool slid = false;
     for (int round = 0; round < ROUNDS; round++) {
-        if (!shape_at(solid, wish, sigma_1, at)) {
+        const double before = in.sigma_1;
+        double next = 0.0;
+        how = shape_at(solid, wish, before, at) ? SLIDES : STICKS;
+        if (how == SLIDES) {
+            slid = true;
+            next = at->flow_factor * at->state.rho * CLOD_HOPPER_GRAVITY * outlet / at->arch;
+            if (fabs(next - before) <= CLOSE * wish->tolerance * before) {
+                return SLIDES;
+            }
+        }
+        if (!slid) {
             return STICKS;
         }
-        const double before = sigma_1;
-        sigma_1 = at->flow_factor * at->state.rho * CLOD_HOPPER_GRAVITY * outlet / at->arch;
-        if (fabs(sigma_1 - before) <= CLOSE * wish->tolerance * before) {
-            return SLIDES;
+        if (how == STICKS || next > before) {
+            in.low = before;
+        } else {
+            in.high = before;
         }
+        in.sigma_1 = next > in.low && next < in.high ? next : sqrt(in.low * in.high);
     }
-    return UNSETTLED;
+    return how == STICKS || !shape_at(solid, wish, in.low, at) ? STICKS : UNSETTLED;
 }
 
 /** The same below the half angle of that state: a limit costs far more than a round, and the stress
