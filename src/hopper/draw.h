@@ -32,6 +32,6 @@ void clod_draw_fini(clod_draw *self);
  * @param item  number of the sample
  * @param to    curves of as many points as measured
  * Errors  none.   Threads  one room for each.
- * Source  docs/theory/hopper.md.   Test  tests/hopper/test_interval.c, test_coverage.c
+ * Source  docs/theory/hopper.md.   Test  tests/hopper/test_draw.c, test_interval.c
  */
 void clod_draw_solid(clod_draw *self, uint64_t item, clod_solid *to);
