@@ -60,25 +60,45 @@ static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_fo
     put_card(out, how, angle->low, caption);
 }
 
-static void put_outlet(FILE *out, const clod_hopper_found *found)
+/** "; each specimen alone: 42.2, 42.9, 42.4 mm", of as many as have room. */
+static void tell_alone(char text[128], const clod_hopper *design, int shape)
+{
+    const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_OUTLET];
+    size_t used = 0;
+    size_t k = 0;
+    text[0] = '\0';
+    for (; k < design->alone_count && used < 96; k++) {
+        char value[48];
+        clod_hopper_cells_text(value, how, design->alone[k].outlet[shape]);
+        used += (size_t)snprintf(text + used, 128 - used, "%s%.12s",
+                                 k == 0 ? "; each specimen alone: " : ", ", value);
+    }
+    if (used > 0) {
+        snprintf(text + used, 128 - used, "%s %s", k < design->alone_count ? ", ..." : "",
+                 how->unit);
+    }
+}
+
+static void put_outlet(FILE *out, const clod_hopper *design, const clod_hopper_found *found)
 {
     const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_OUTLET];
     const clod_hopper_value *outlet = &found->number[CLOD_HOPPER_OUTLET];
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
     const double build =
         isnan(outlet->high) ? outlet->high : fmax(outlet->high, found->mechanical);
-    char numbers[240], particles[96] = "", caption[512];
+    char numbers[240], particles[96] = "", alone[128], caption[640];
     tell(numbers, how, outlet);
+    tell_alone(alone, design, (int)found->wish.shape);
     if (found->mechanical > 0.0) {
         snprintf(particles, sizeof particles, "; %s times the largest particle: %.1f mm",
                  cone ? "8" : "4", how->scale * found->mechanical);
     }
-    snprintf(caption, sizeof caption, "%s to build, at least%s. Critical outlet: %s%s",
+    snprintf(caption, sizeof caption, "%s to build, at least%s. Critical outlet: %s%s%s",
              cone ? "diameter of the outlet" : "width of the slot",
              found->design.outcome == CLOD_HOPPER_UNPROVEN
                  ? ", if a chart for wedges shows mass flow"
                  : "",
-             numbers, particles);
+             numbers, particles, alone);
     put_card(out, how, build, caption);
 }
 
@@ -113,7 +133,7 @@ static void put_shape(FILE *out, const clod_hopper *design, int shape)
     fputs("</p>\n<div class=\"cards\">\n", out);
     if (found->design.outcome != CLOD_HOPPER_FUNNEL) {
         put_angle(out, design, found);
-        put_outlet(out, found);
+        put_outlet(out, design, found);
     }
     if (found->planned > 0.0) {
         put_margin(out, found);

@@ -98,6 +98,13 @@ class Measured(hopper_case.Case):
                     self.assertAlmostEqual(one[shape][key], alone[shape][key]["value"],
                                            delta=1e-9 * alone[shape][key]["value"])
                 self.assertIn(f"{1e3 * one[shape]['outlet_m']:.1f} (seed {one['seed']})", " ".join(told.split()))
+        self.specimens()
+        self.hopper("case.yaml", "-o", "design")
+        with open(self.path("design.html")) as file:
+            page = file.read()
+        for shape in ("cone", "wedge"):
+            outlets = [f"{1e3 * one[shape]['outlet_m']:.1f}" for one in found["specimens"]]
+            self.assertIn(f"; each specimen alone: {', '.join(outlets)} mm</span>", page)
         partly = self.specimens(left_out=[(102, 1.2)])
         self.assertEqual([one["seed"] for one in partly["specimens"]], [101, 103])
 
