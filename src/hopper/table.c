@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "base/given.h"
-#include "base/memory.h"
 #include "base/text.h"
 #include "hopper/fields.h"
 #include "hopper/words.h"
@@ -69,26 +68,29 @@ static void put_planned(FILE *out, const clod_hopper_found *found)
     }
 }
 
-/** The outlets that specimens ask for, each alone: "43.1 (seed 101), 42.9 (seed 102) mm". */
+/** The outlets that specimens ask for, each alone: "43.1 (seed 101), 42.9 (seed 102) mm"; of as many as
+ *  have room. */
 static void put_alone(FILE *out, const clod_hopper *self, int shape)
 {
-    const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_OUTLET];
-    clod_text list;
-    FILE *to = self->alone_count > 0 ? clod_text_open(&list) : NULL;
-    if (to == NULL) {
-        return;
+    char text[1024] = "";
+    size_t used = 0;
+    size_t k = 0;
+    for (; k < self->alone_count && used < sizeof text - 80; k++) {
+        const clod_hopper_alone *at = &self->alone[k];
+        const double outlet = 1e3 * at->outlet[shape];
+        char number[32] = "infinite";
+        if (isfinite(outlet)) {
+            snprintf(number, sizeof number, "%.1f", outlet);
+        }
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s (seed %lld)",
+                                 k > 0 ? ", " : "", isnan(outlet) ? "-" : number,
+                                 (long long)at->seed);
     }
-    for (size_t k = 0; k < self->alone_count; k++) {
-        fputs(k > 0 ? ", " : "", to);
-        put_number(to, 1, how, self->alone[k].outlet[shape]);
-        fprintf(to, " (seed %lld)", (long long)self->alone[k].seed);
-    }
-    fputs(" mm", to);
-    char *text = clod_text_close(&list);
-    if (text != NULL) {
+    if (k > 0) {
+        snprintf(text + used, sizeof text - used, "%s mm",
+                 k < self->alone_count ? ", ..." : "");
         put_text(out, "  critical outlet by specimen ", text);
     }
-    clod_memory_free(text);
 }
 
 static void put_shape(FILE *out, const clod_hopper *self, int shape)
