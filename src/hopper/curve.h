@@ -15,9 +15,11 @@ typedef struct clod_curve_point {
         spread; ///< [specimens] move of y per standard normal number of each specimen, the same
                 ///< number at all points; NAN: it is not in this point; NULL: no specimens
     const double *x_spread; ///< likewise of x; NULL: specimens do not move it
-    size_t freedom; ///< degrees of freedom of what specimens share; 0: its size is known
-    size_t set;     ///< of specimens: points of one set have some in common, or a chain of them
-    size_t row;     ///< of the table, from 1 on: curves of one row have one x; 0: none
+    size_t
+        freedom; ///< degrees of freedom of what specimens share, or of y's error from repeats at
+                 ///< this point alone; 0: its size is known
+    size_t set;  ///< of specimens: points of one set have some in common, or a chain of them
+    size_t row;  ///< of the table, from 1 on: curves of one row have one x; 0: none
 } clod_curve_point;
 
 /** Whose specimens move a curve; those of one test move all its curves together. */

@@ -384,6 +384,7 @@ static void warn_rathole(clod_hopper *self)
 /** Few specimens, whose scatter is hardly known. */
 static void warn_few(clod_hopper *self, const char *test, const clod_curve *curve)
 {
+    const char *what = curve->specimens > 0 ? "specimens" : "repeats";
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
         const size_t freedom = curve->points[i].freedom;
@@ -392,10 +393,9 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
     if (least > 0 && least < FEW) {
         clod_warning_list_add(
             &self->warnings,
-            "%s: the intervals rest on the scatter of %zu specimens, which tells little of how "
-            "specimens differ: they are drawn from Student's t of %zu degree%s of freedom. More "
-            "specimens make them narrower.",
-            test, least + 1, least, least == 1 ? "" : "s");
+            "%s: the intervals rest on the scatter of %zu %s, which tells little of how %s differ: "
+            "they are drawn from Student's t of %zu degree%s of freedom. More %s make them narrower.",
+            test, least + 1, what, what, least, least == 1 ? "" : "s", what);
     }
 }
 

@@ -116,7 +116,10 @@ static void draw_curve(const clod_draw *self, uint64_t item, const clod_curve *m
         const clod_curve_point *from = &measured->points[i];
         const uint64_t of_x = from->row > 0 ? OF_ROW + 2 * from->row : *draw;
         const double x = alone(from->x_error, from->x_spread, measured->specimens);
-        const double y = alone(from->y_error, from->spread, measured->specimens);
+        const bool repeats = from->spread == NULL && from->freedom > 0;
+        const uint64_t of_scale = OF_TEST(measured->test) + OF_SET(i);
+        const double y = alone(from->y_error, from->spread, measured->specimens) *
+                         (repeats ? scale_of(self, item, of_scale, from->freedom) : 1.0);
         curve->points[i].x =
             fmax(LEAST_PART * from->x, from->x + x * normal(self, item, of_x) +
                                            together(self, measured, from->set, from->x_spread));

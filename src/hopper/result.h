@@ -16,17 +16,17 @@
 
 /** Numbers of one shape. */
 typedef enum clod_hopper_number {
-    CLOD_HOPPER_LIMIT,       ///< rad; 0: funnel flow
-    CLOD_HOPPER_HALF_ANGLE,  ///< rad; 0: funnel flow
-    CLOD_HOPPER_OUTLET,      ///< m; 0: no arch; INFINITY: none is large enough
-    CLOD_HOPPER_FLOW_FACTOR, ///< NAN: funnel flow
-    CLOD_HOPPER_SIGMA_1,     ///< Pa; this to rho: NAN where there is no critical state
-    CLOD_HOPPER_STRENGTH,    ///< Pa
-    CLOD_HOPPER_PHI_E,       ///< rad
-    CLOD_HOPPER_PHI_W,       ///< rad
-    CLOD_HOPPER_RHO,         ///< kg/m3
-    CLOD_HOPPER_ARCH,        ///< H; NAN: funnel flow
-    CLOD_HOPPER_MARGIN,      ///< NAN: no outlet is given, or funnel flow
+    CLOD_HOPPER_LIMIT,        ///< rad; 0: funnel flow
+    CLOD_HOPPER_HALF_ANGLE,   ///< rad; 0: funnel flow
+    CLOD_HOPPER_OUTLET,       ///< m; 0: no arch; INFINITY: none is large enough
+    CLOD_HOPPER_FLOW_FACTOR,  ///< NAN: funnel flow
+    CLOD_HOPPER_SIGMA_1,      ///< Pa; this to rho: NAN where there is no critical state
+    CLOD_HOPPER_STRENGTH,     ///< Pa
+    CLOD_HOPPER_PHI_E,        ///< rad
+    CLOD_HOPPER_PHI_W,        ///< rad
+    CLOD_HOPPER_RHO,          ///< kg/m3
+    CLOD_HOPPER_ARCH,         ///< H; NAN: funnel flow
+    CLOD_HOPPER_MARGIN,       ///< NAN: no outlet is given, or funnel flow
     CLOD_HOPPER_JUDGED_PHI_W, ///< rad, where limit and half angle are judged; NAN: funnel flow
     CLOD_HOPPER_NUMBERS,
 } clod_hopper_number;

@@ -115,6 +115,7 @@ static clod_curve_point mean_of(const set *self, const item *items, size_t count
     }
     mean.y_error = sqrt(fmax(stated, scatter));
     mean.spread = spread;
+    mean.freedom = spread == NULL && scatter > stated ? count - 1 : 0; // else as specimens say
     return mean;
 }
 
@@ -161,7 +162,7 @@ bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_cur
                      clod_warning_list *warnings, clod_status *status)
 {
     set self = {.count = count};
-    *curve = (clod_curve){.way = CLOD_CURVE_EXTENDED};
+    *curve = (clod_curve){.way = CLOD_CURVE_EXTENDED, .test = CLOD_CURVE_WALL};
     if (!look(&self, points, warnings, status)) {
         return false;
     }
@@ -174,7 +175,6 @@ bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_cur
     if (good && self.specimens > 1) {
         const size_t places = count_stresses(&self) * self.specimens;
         curve->specimens = self.specimens;
-        curve->test = CLOD_CURVE_WALL;
         curve->spread = clod_memory_alloc(places, sizeof *curve->spread);
         good = curve->spread != NULL;
         for (size_t k = 0; k < places && good; k++) {
@@ -183,7 +183,9 @@ bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_cur
     }
     if (good) {
         make_curve(&self, curve);
-        clod_specimens_sort(curve->points, curve->count, curve->specimens);
+        if (curve->specimens > 0) {
+            clod_specimens_sort(curve->points, curve->count, curve->specimens);
+        }
         clod_curve_sort(curve);
     }
     clod_memory_free(self.items);

@@ -259,6 +259,35 @@ static void the_order_of_specimens_matters(void **state)
     check_relative(turned / straight, 2.4381 / 1.3333, 0.01);
 }
 
+/** Three repeats of one specimen, or of nobody knows whose: 5 % of Student's t of 2 lie above 2.920, which
+ *  4000 samples tell to 0.12, and of a normal distribution above 1.645, to 0.04. */
+static void repeats_are_no_known_error_either(void **state)
+{
+    (void)state;
+    enum { MANY = 4000 };
+    static double found[MANY];
+    for (int known = 0; known < 2; known++) {
+        clod_curve_point point = {
+            .x = 1e3, .y = 400.0, .y_error = 10.0, .freedom = known == 1 ? 0 : 2};
+        clod_curve_point drawn_point = point;
+        clod_solid measured = {0};
+        measured.wall = (clod_curve){
+            .way = CLOD_CURVE_EXTENDED, .points = &point, .count = 1, .test = CLOD_CURVE_WALL};
+        clod_solid drawn = measured;
+        drawn.wall.points = &drawn_point;
+        clod_draw draw;
+        assert_true(clod_draw_init(&draw, &measured, 3));
+        for (uint64_t i = 0; i < MANY; i++) {
+            clod_draw_solid(&draw, i, &drawn);
+            found[i] = drawn_point.y;
+        }
+        clod_draw_fini(&draw);
+        qsort(found, MANY, sizeof *found, by_size);
+        const double high = 0.1 * (clod_samples_quantile(found, MANY, 0.95) - 400.0);
+        check_close(high, known == 1 ? 1.645 : 2.920, known == 1 ? 0.12 : 0.36);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -266,6 +295,7 @@ int main(void)
         cmocka_unit_test(specimens_of_one_stress_only),
         cmocka_unit_test(scatter_taken_as_known_does_not),
         cmocka_unit_test(the_order_of_specimens_matters),
+        cmocka_unit_test(repeats_are_no_known_error_either),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
