@@ -10,11 +10,24 @@
 /** A measured point; standard errors, 0: not stated. */
 typedef struct clod_curve_point {
     double x, y;
-    double x_error, y_error; ///< y_error: all of it, what specimens share too
-    const double
-        *spread; ///< [specimens] move of y per standard normal number of each specimen,
-                 ///< the same number at all points; NULL: errors are independent
+    double x_error, y_error; ///< all of it, what specimens share too
+    const double *
+        spread; ///< [specimens] move of y per standard normal number of each specimen, the same
+                ///< number at all points; NAN: it is not in this point; NULL: no specimens
+    const double *x_spread; ///< likewise of x; NULL: specimens do not move it
+    size_t
+        freedom; ///< degrees of freedom of what specimens share, or of y's error from repeats at
+                 ///< this point alone; 0: its size is known
+    size_t set;  ///< of specimens: points of one set have some in common, or a chain of them
+    size_t row;  ///< of the table, from 1 on: curves of one row have one x; 0: none
 } clod_curve_point;
+
+/** Whose specimens move a curve; those of one test move all its curves together. */
+typedef enum clod_curve_test {
+    CLOD_CURVE_SHEAR,
+    CLOD_CURVE_WALL,
+    CLOD_CURVE_TESTS,
+} clod_curve_test;
 
 /** How the curve goes. */
 typedef enum clod_curve_way {
@@ -28,7 +41,8 @@ typedef struct clod_curve {
     clod_curve_point *points; ///< [count] in ascending order of x; owned by whoever made them
     size_t count;             ///< 0: the property is not known
     size_t specimens;         ///< whose scatter the points share; 0: none
-    double *spread;           ///< [count][specimens] that of the points; owned likewise
+    double *spread;           ///< that of the points; owned likewise, NULL: another curve's
+    clod_curve_test test;     ///< of the specimens
 } clod_curve;
 
 /** Sort the points. */

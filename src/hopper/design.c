@@ -4,7 +4,8 @@
 
 #define DEGREE (M_PI / 180.0)
 #define ROUNDS 60
-#define CLOSE 10.0 // relative change of sigma_1 at which the state is found, in tolerances
+#define NO_STRESS 1e-6 // of a measured one
+#define CLOSE 10.0     // relative change of sigma_1 at which the state is found, in tolerances
 
 double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape, double theta)
 {
@@ -21,6 +22,12 @@ static double limit_at(const clod_solid_state *state, double tolerance)
     const clod_radial cone = {CLOD_RADIAL_CONE, state->phi_e, state->phi_w, tolerance};
     double limit;
     return clod_radial_limit(&cone, &limit) ? limit : 0.0;
+}
+
+double clod_hopper_limit_at(const clod_solid *solid, double sigma_1, double tolerance)
+{
+    const clod_solid_state state = clod_solid_at(solid, sigma_1);
+    return limit_at(&state, tolerance);
 }
 
 /** Half angle, H and flow factor at one stress; false: funnel flow. */
@@ -79,8 +86,8 @@ static clod_curve_meeting go_on(const clod_solid *solid, double flow_factor, sea
 }
 
 /** Rounds from a first stress. */
-static clod_hopper_design settle(const clod_solid *solid, const clod_hopper_wish *wish,
-                                 double first)
+static clod_hopper_design settle_from(const clod_solid *solid, const clod_hopper_wish *wish,
+                                      double first)
 {
     clod_hopper_design self = {.outcome = CLOD_HOPPER_UNSETTLED, .outlet = (double)NAN};
     search at = {first, 1e-9, 1e12};
@@ -106,54 +113,282 @@ static clod_hopper_design settle(const clod_solid *solid, const clod_hopper_wish
     return self;
 }
 
-clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,
-                                            const clod_hopper_wish *wish)
-{
-    const clod_curve *strength = &solid->strength;
-    const double first = wish->first > 0.0 ? wish->first : strength->points[0].x;
-    clod_hopper_design self = settle(solid, wish, first);
-    if (self.outcome == CLOD_HOPPER_FUNNEL) {
-        // a wall with adhesion may hold the solid at small stresses only
-        self = settle(solid, wish, strength->points[strength->count - 1].x);
-    }
-    if (wish->half_angle > 0.0) {
-        self.limit = limit_at(&self.state, wish->tolerance);
-    }
-    const bool flows = self.outcome == CLOD_HOPPER_FLOWS || self.outcome == CLOD_HOPPER_NO_ARCH;
-    if (flows && wish->shape == CLOD_RADIAL_WEDGE && self.half_angle > self.limit) {
-        // the field of a wedge has solutions far beyond what charts allow: docs/theory/hopper.md
-        self.outcome = CLOD_HOPPER_UNPROVEN;
-    }
-    return self;
-}
-
 bool clod_hopper_is_critical(const clod_hopper_design *self)
 {
     return self->outcome == CLOD_HOPPER_FLOWS ||
            (self->outcome == CLOD_HOPPER_UNPROVEN && self->outlet > 0.0);
 }
 
-/** The margin by rounds from a first stress. */
-static clod_hopper_margin margin_from(const clod_solid *solid, const clod_hopper_wish *wish,
-                                      double outlet, double first)
+static double first_of(const clod_solid *solid, const clod_hopper_wish *wish)
 {
-    clod_hopper_margin self = {.ratio = (double)NAN};
-    double sigma_1 = first;
+    return wish->first > 0.0 ? wish->first : solid->strength.points[0].x;
+}
+
+/** Rounds from small stresses up, and where they end at a wall that holds the solid, down. */
+static clod_hopper_design settle(const clod_solid *solid, const clod_hopper_wish *wish)
+{
+    const clod_curve *strength = &solid->strength;
+    const clod_hopper_design self = settle_from(solid, wish, first_of(solid, wish));
+    // a wall with adhesion may hold the solid at small stresses only
+    return self.outcome == CLOD_HOPPER_FUNNEL
+               ? settle_from(solid, wish, strength->points[strength->count - 1].x)
+               : self;
+}
+
+/** About the half angle of the design, by the closed approximation of the limit (theory/hopper.md) at
+ *  the first stress; NAN: none. */
+static double guess_angle(const clod_solid *solid, const clod_hopper_wish *wish)
+{
+    const clod_solid_state state = clod_solid_at(solid, first_of(solid, wish));
+    const double s = sin(state.phi_e);
+    return M_PI_2 - 0.5 * acos((1.0 - s) / (2.0 * s)) -
+           clod_radial_beta(state.phi_e, state.phi_w) - wish->margin;
+}
+
+/** How an outlet flows. */
+typedef enum flow { SLIDES, STICKS, UNSETTLED } flow;
+
+/**
+ * The state in flow at an outlet below a given half angle, by rounds from a first stress. They may
+ * jump down to where the solid sticks, past a state in which it slides; bounds lead back.
+ */
+static flow flow_below(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
+                       double first, clod_hopper_design *at)
+{
+    search in = {first, 1e-9, 1e12};
+    flow how = UNSETTLED;
+    bool slid = false;
     for (int round = 0; round < ROUNDS; round++) {
-        clod_hopper_design at;
-        if (!shape_at(solid, wish, sigma_1, &at)) {
-            self.state = at.state;
-            self.sticks = true;
-            return self;
+        const double before = in.sigma_1;
+        double next = 0.0;
+        how = shape_at(solid, wish, before, at) ? SLIDES : STICKS;
+        if (how == SLIDES) {
+            slid = true;
+            next = at->flow_factor * at->state.rho * CLOD_HOPPER_GRAVITY * outlet / at->arch;
+            if (fabs(next - before) <= CLOSE * wish->tolerance * before) {
+                return SLIDES;
+            }
         }
+        if (!slid) {
+            return STICKS;
+        }
+        if (how == STICKS || next > before) {
+            in.low = before;
+        } else {
+            in.high = before;
+        }
+        in.sigma_1 = next > in.low && next < in.high ? next : sqrt(in.low * in.high);
+    }
+    return how == STICKS || !shape_at(solid, wish, in.low, at) ? STICKS : UNSETTLED;
+}
+
+/** The same below the half angle of that state: a limit costs far more than a round, and the stress
+ *  hardly depends on it. */
+static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
+                      double first, clod_hopper_design *at)
+{
+    if (wish->half_angle > 0.0) {
+        return flow_below(solid, wish, outlet, first, at);
+    }
+    clod_hopper_wish fixed = *wish;
+    double sigma_1 = first;
+    fixed.half_angle = guess_angle(solid, wish);
+    if (fixed.half_angle > 0.0 && flow_below(solid, &fixed, outlet, first, at) == SLIDES) {
+        sigma_1 = at->state.sigma_1; // a better start
+    }
+    for (int round = 0; round < ROUNDS; round++) {
+        if (!shape_at(solid, wish, sigma_1, at)) {
+            return STICKS;
+        }
+        fixed.half_angle = at->half_angle;
+        const flow how = flow_below(solid, &fixed, outlet, sigma_1, at);
         const double before = sigma_1;
-        self.state = at.state;
-        self.stress = at.state.rho * CLOD_HOPPER_GRAVITY * outlet / at.arch;
-        sigma_1 = at.flow_factor * self.stress;
-        if (fabs(sigma_1 - before) <= CLOSE * wish->tolerance * before) {
-            self.ratio = self.stress / at.state.strength; // infinite for a strength of 0
+        sigma_1 = at->state.sigma_1;
+        if (how != SLIDES || fabs(sigma_1 - before) <= CLOSE * wish->tolerance * before) {
+            return how;
+        }
+    }
+    return UNSETTLED;
+}
+
+/** The same from small stresses, or else from large ones. */
+static flow flow_at(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
+                    clod_hopper_design *at)
+{
+    const clod_curve *strength = &solid->strength;
+    *at = (clod_hopper_design){0};
+    const flow how = flow_from(solid, wish, outlet, first_of(solid, wish), at);
+    return how == SLIDES
+               ? how
+               : flow_from(solid, wish, outlet, strength->points[strength->count - 1].x, at);
+}
+
+/** The outlet at whose wall there is the stress of a state. */
+static double outlet_of(const clod_hopper_design *at)
+{
+    return at->state.sigma_1 / at->flow_factor * at->arch /
+           (at->state.rho * CLOD_HOPPER_GRAVITY);
+}
+
+/** Whether a cone of this half angle, which is safe for a wedge too, is mass flow at a stress. */
+static bool slides(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1)
+{
+    const clod_solid_state state = clod_solid_at(solid, sigma_1);
+    const clod_radial cone = {CLOD_RADIAL_CONE, state.phi_e, state.phi_w, wish->tolerance};
+    clod_radial_wall wall;
+    return clod_radial_solve(&cone, wish->half_angle, &wall);
+}
+
+/**
+ * Where a hopper of a half angle would have no arch, but the solid sticks to the wall: the smallest
+ * outlet above which it slides becomes the critical one.
+ *
+ * @param good  Pa: a stress at which it slides
+ */
+static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish, double good,
+                           clod_hopper_design *self)
+{
+    const bool known = self->outcome != CLOD_HOPPER_NO_ARCH && self->state.sigma_1 < good;
+    double low = known ? self->state.sigma_1 : NO_STRESS * good;
+    double high = good;
+    if (slides(solid, wish, low) || !slides(solid, wish, high)) {
+        return;
+    }
+    while (high > low * (1.0 + CLOSE * wish->tolerance)) {
+        const double middle = sqrt(low * high);
+        if (slides(solid, wish, middle)) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    clod_hopper_design at = *self;
+    if (shape_at(solid, wish, high, &at) &&
+        at.state.strength <= at.state.sigma_1 / at.flow_factor) {
+        at.outcome = CLOD_HOPPER_FLOWS;
+        at.outlet = outlet_of(&at);
+        at.sticks = true;
+        *self = at;
+    }
+}
+
+/** Limit and half angle are those of a state. */
+static void judge(clod_hopper_design *self, const clod_hopper_design *at, double built)
+{
+    self->judged = at->state;
+    self->limit = at->limit;
+    self->half_angle = at->half_angle;
+    self->built = fmax(built, clod_hopper_is_critical(self) ? self->outlet : 0.0);
+}
+
+/** A hopper with the half angle of a state in which it is mass flow. */
+static clod_hopper_design design_for(const clod_solid *solid, const clod_hopper_wish *wish,
+                                     const clod_hopper_design *at, double built)
+{
+    clod_hopper_wish fixed = *wish;
+    fixed.half_angle = at->half_angle;
+    clod_hopper_design self = settle(solid, &fixed);
+    if (self.outcome != CLOD_HOPPER_ARCHES && self.outcome != CLOD_HOPPER_UNSETTLED) {
+        begin_to_slide(solid, &fixed, at->state.sigma_1, &self);
+    }
+    judge(&self, at, built);
+    return self;
+}
+
+/** Whether the critical outlet seems to be larger than one: for a half angle near that of the design. */
+static bool seems_larger(const clod_solid *solid, const clod_hopper_wish *wish, double least)
+{
+    clod_hopper_wish fixed = *wish;
+    fixed.half_angle = guess_angle(solid, wish);
+    if (least == 0.0 || !(fixed.half_angle > 0.0)) {
+        return least == 0.0;
+    }
+    const clod_hopper_design self = settle(solid, &fixed);
+    return self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least;
+}
+
+/** The half angle follows from the outlet that is built, and that from the half angle. */
+static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_wish *wish)
+{
+    const double least = fmax(wish->outlet, wish->least);
+    clod_hopper_design at;
+    if (seems_larger(solid, wish, least)) { // and then, as a rule, it is: half the work
+        clod_hopper_design self = settle(solid, wish);
+        if (self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least) {
+            judge(&self, &self, 0.0);
             return self;
         }
+    }
+    const flow how = least > 0.0 ? flow_at(solid, wish, least, &at) : UNSETTLED;
+    if (how == SLIDES) {
+        const clod_hopper_design self = design_for(solid, wish, &at, least);
+        if (self.outcome == CLOD_HOPPER_NO_ARCH ||
+            (self.outcome == CLOD_HOPPER_FLOWS && self.outlet <= least)) {
+            return self;
+        }
+    }
+    clod_hopper_design self = settle(solid, wish); // the critical outlet is larger
+    if (self.outcome == CLOD_HOPPER_FUNNEL && wish->outlet == 0.0) {
+        // critical at so little stress that the wall holds it: at what was measured, it may not
+        at = self;
+        if (shape_at(solid, wish, solid->strength.points[0].x, &at)) {
+            return design_for(solid, wish, &at, outlet_of(&at));
+        }
+    }
+    if (self.outcome == CLOD_HOPPER_NO_ARCH) {
+        at = self;
+        return design_for(solid, wish, &at, 0.0);
+    }
+    judge(&self, &self, 0.0);
+    if (how == STICKS && self.outlet <= wish->outlet) {
+        at.outcome = CLOD_HOPPER_FUNNEL; // slides at the critical outlet, but not at this one
+        judge(&at, &at, 0.0);
+        return at;
+    }
+    return self;
+}
+
+/** A hopper whose half angle is given. */
+static clod_hopper_design design_given(const clod_solid *solid, const clod_hopper_wish *wish)
+{
+    const clod_curve *strength = &solid->strength;
+    const double least = fmax(wish->outlet, wish->least);
+    clod_hopper_design self = settle(solid, wish);
+    clod_hopper_design at;
+    double built = 0.0;
+    if (least > self.outlet || self.outcome == CLOD_HOPPER_FUNNEL) {
+        built = least > 0.0 && flow_at(solid, wish, least, &at) == SLIDES ? least : 0.0;
+    }
+    if (built == 0.0) {
+        at = self;
+    }
+    const bool funnel = self.outcome == CLOD_HOPPER_FUNNEL;
+    if (built > 0.0 || self.outcome == CLOD_HOPPER_NO_ARCH || funnel) {
+        const bool here = slides(solid, wish, at.state.sigma_1);
+        begin_to_slide(solid, wish,
+                       funnel && !here ? strength->points[strength->count - 1].x
+                                       : at.state.sigma_1,
+                       &self);
+    }
+    if (self.sticks && self.outlet > built) {
+        at = self;
+    }
+    at.limit = limit_at(&at.state, wish->tolerance);
+    at.half_angle = wish->half_angle;
+    judge(&self, &at, built);
+    return self;
+}
+
+clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,
+                                            const clod_hopper_wish *wish)
+{
+    clod_hopper_design self =
+        wish->half_angle > 0.0 ? design_given(solid, wish) : design_own(solid, wish);
+    const bool flows = self.outcome == CLOD_HOPPER_FLOWS || self.outcome == CLOD_HOPPER_NO_ARCH;
+    if (flows && wish->shape == CLOD_RADIAL_WEDGE && self.half_angle > self.limit &&
+        !self.sticks) {
+        // the field of a wedge has solutions far beyond what charts allow: docs/theory/hopper.md
+        self.outcome = CLOD_HOPPER_UNPROVEN;
     }
     return self;
 }
@@ -161,11 +396,14 @@ static clod_hopper_margin margin_from(const clod_solid *solid, const clod_hopper
 clod_hopper_margin clod_hopper_margin_of(const clod_solid *solid, const clod_hopper_wish *wish,
                                          double outlet)
 {
-    const clod_curve *strength = &solid->strength;
-    const double first = wish->first > 0.0 ? wish->first : strength->points[0].x;
-    const clod_hopper_margin self = margin_from(solid, wish, outlet, first);
-    // as in a design: adhesion may hold the solid at small stresses only
-    return isnan(self.ratio)
-               ? margin_from(solid, wish, outlet, strength->points[strength->count - 1].x)
-               : self;
+    clod_hopper_design at;
+    clod_hopper_margin self = {.ratio = (double)NAN};
+    const flow how = flow_at(solid, wish, outlet, &at);
+    self.state = at.state;
+    self.sticks = how == STICKS;
+    if (how == SLIDES) {
+        self.stress = at.state.rho * CLOD_HOPPER_GRAVITY * outlet / at.arch;
+        self.ratio = self.stress / at.state.strength; // infinite for a strength of 0
+    }
+    return self;
 }

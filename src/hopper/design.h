@@ -22,6 +22,8 @@ typedef struct clod_hopper_wish {
     double half_angle; ///< rad; 0: the limit less the margin
     double margin;     ///< rad below the limit
     clod_hopper_arch arch;
+    double outlet;    ///< m: that is built or planned; 0: none
+    double least;     ///< m: that of large particles; 0: not known
     double tolerance; ///< CLOD_RADIAL_TOLERANCE
     double first;     ///< Pa: where the search for the state begins; 0: at the smallest stress
 } clod_hopper_wish;
@@ -37,16 +39,23 @@ typedef enum clod_hopper_outcome {
                          ///< which does not show mass flow; the outlet is that of the solution
 } clod_hopper_outcome;
 
-/** A hopper of one shape; where there is no critical outlet the state is that of the largest or
- *  smallest measured stress. */
+/**
+ * A hopper of one shape; where there is no critical outlet the state is that of the largest or
+ * smallest measured stress. Limit and half angle are those at the stresses of the outlet that is
+ * built: the largest of that of the wish, that of large particles and the critical one.
+ */
 typedef struct clod_hopper_design {
     clod_hopper_outcome outcome;
-    clod_solid_state state; ///< critical state
-    double limit;           ///< rad: largest half angle of mass flow in a cone; 0: none
-    double half_angle;      ///< rad
-    double arch;            ///< H
-    double flow_factor;     ///< ff
-    double outlet;          ///< m: critical diameter or width; 0: no arch; INFINITY: arches
+    clod_solid_state state;  ///< critical state
+    clod_solid_state judged; ///< at the outlet that is built
+    double built;            ///< m: that outlet; 0: there is none
+    bool sticks; ///< at outlets below the critical one the solid does not slide along the wall;
+                 ///< without that, no arch would stand over some of them
+    double limit;       ///< rad: largest half angle of mass flow in a cone; 0: none
+    double half_angle;  ///< rad
+    double arch;        ///< H
+    double flow_factor; ///< ff
+    double outlet;      ///< m: critical diameter or width; 0: no arch; INFINITY: arches
 } clod_hopper_design;
 
 /** Whether there is a critical state: one of an outlet above which no arch stands. */
@@ -55,10 +64,15 @@ bool clod_hopper_is_critical(const clod_hopper_design *self);
 /** H of a half angle. Source: docs/theory/hopper.md. Test: tests/hopper/test_design.c */
 double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape, double theta);
 
+/** Largest half angle of mass flow in a cone at one stress; 0: none.   Threads  pure. */
+double clod_hopper_limit_at(const clod_solid *solid, double sigma_1, double tolerance);
+
 /**
- * Design a hopper of one shape: iterate until the state is where the flow function meets the flow
- * factor of that state.
+ * Design a hopper of one shape: half angle at the stresses of the outlet that is built; iterate until
+ * the state is where the flow function meets the flow factor of that state; and where the solid
+ * sticks to the wall there, the smallest outlet at which it slides.
  *
+ * Source  docs/theory/hopper.md.
  * Errors  none.   Threads  pure.   Test  tests/hopper/test_design.c
  */
 clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,

@@ -5,10 +5,13 @@
 #include <string.h>
 
 #include "clod/locus.h"
+#include "hopper/words.h"
 
 #define DEGREE (M_PI / 180.0)
 #define LEAST_TEST                                                                             \
     100.0 // Pa: a tenth of the least preshear stress that ring shear testers are used at
+#define MOST_FFC 100.0 // the best powder testers tell an ffc of some 50
+#define FEW 3      // degrees of freedom below which the scatter of specimens is hardly known
 #define APART 0.01 // relative distance below which two stresses count as the same
 
 /** A property that has to come from somewhere. */
@@ -110,12 +113,34 @@ static void warn_strength(clod_hopper *self)
     const clod_curve *curve = &self->solid.strength;
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i];
+        const double ffc = p->x / (p->y + 2.0 * p->y_error);
+        if (p->y > 0.0 && ffc > MOST_FFC) {
+            clod_warning_list_add(
+                &self->warnings,
+                "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa, ffc %.0f. No tester tells "
+                "so little strength. Is its unit another one, Pa under a header in kPa for "
+                "instance?",
+                1e-3 * p->y, 1e-3 * p->x, p->x / p->y);
+        }
         if (p->y - 2.0 * p->y_error > p->x) {
             clod_warning_list_add(
                 &self->warnings,
                 "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa. A solid stronger than what "
                 "consolidated it was stored for long, or the columns are interchanged.",
                 1e-3 * p->y, 1e-3 * p->x);
+        }
+    }
+    for (size_t i = 1; i < curve->count; i++) {
+        const clod_curve_point *p = &curve->points[i - 1];
+        const clod_curve_point *q = &curve->points[i];
+        const double error = hypot(p->y_error, q->y_error);
+        if (p->y - q->y > fmax(2.0 * error, APART * p->y)) {
+            clod_warning_list_add(
+                &self->warnings,
+                "Flow function: f_c falls from %.6g kPa at sigma_1 %.6g kPa to %.6g kPa at %.6g "
+                "kPa, by more than its errors tell. No solid gets weaker by consolidation: are "
+                "columns or rows interchanged?",
+                1e-3 * p->y, 1e-3 * p->x, 1e-3 * q->y, 1e-3 * q->x);
         }
     }
     if (curve->points[curve->count - 1].x < LEAST_TEST) {
@@ -179,11 +204,13 @@ static void warn_planned(clod_hopper *self, const char *name, const clod_hopper_
                               "of the samples do not flow.",
                               name, 1e3 * planned, share);
     } else if (planned < critical->value) {
-        clod_warning_list_add(&self->warnings,
-                              "%s: the outlet of %.6g mm is below the critical one, %s: %sit "
-                              "arches. %.1f %% of the samples do not flow.",
-                              name, 1e3 * planned, outlet,
-                              planned < critical->low ? "" : "as measured ", share);
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: the outlet of %.6g mm is below the critical one, %s: %s%s. "
+            "%.1f %% of the samples do not flow.",
+            name, 1e3 * planned, outlet, planned < critical->low ? "" : "as measured ",
+            found->design.sticks ? "the solid does not slide along the wall" : "it arches",
+            share);
     } else if (planned < critical->high) {
         clod_warning_list_add(
             &self->warnings,
@@ -208,6 +235,22 @@ static void warn_particles(clod_hopper *self, const char *name, const clod_hoppe
             "%.1f mm: particles may lock over it, whatever the strength is.",
             name, 1e3 * found->planned, found->wish.shape == CLOD_RADIAL_CONE ? 8 : 4,
             1e3 * found->mechanical);
+    }
+}
+
+/** An outlet that is wider than the silo above it. */
+static void warn_silo(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const double diameter = self->silo.diameter;
+    const double critical = found->number[CLOD_HOPPER_OUTLET].value;
+    const char *what =
+        found->planned > diameter ? "the outlet that is given" : "the critical outlet";
+    const double outlet = found->planned > diameter ? found->planned : critical;
+    if (diameter > 0.0 && isfinite(outlet) && outlet > diameter) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: %s, %.6g mm, is wider than the silo, %.6g mm (silo.diameter).", name, what,
+            1e3 * outlet, 1e3 * diameter);
     }
 }
 
@@ -261,12 +304,14 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
             "stress.",
             name);
     }
+    clod_doubts_wall(self, name, found);
     if (clod_hopper_is_critical(at)) {
         warn_beyond(self, name, &self->solid.strength, "sigma_1", at->state.sigma_1);
         warn_beyond(self, name, &self->solid.wall, "the normal stress at the wall",
                     at->state.sigma_w);
     }
     warn_angle(self, name, found);
+    warn_silo(self, name, found);
     warn_outlet(self, name, found);
 }
 
@@ -299,24 +344,19 @@ static void warn_errors(clod_hopper *self)
 }
 
 /** A rathole whose phi_t is where Jenike's function is not known, as measured or in samples. */
-static void warn_hole(clod_hopper *self, int hole, const char *when, double phi_t)
+static void warn_hole(clod_hopper *self, int hole)
 {
     const double share = 1.0 - self->holed[hole];
-    if (isnan(self->rathole[hole].value)) {
-        if (!(phi_t >= CLOD_RATHOLE_LEAST && phi_t <= CLOD_RATHOLE_MOST)) {
-            clod_warning_list_add(
-                &self->warnings,
-                "No rathole diameter%s: Jenike's function G is known from 30 to 70 deg, and the "
-                "static angle of internal friction is %.1f deg.",
-                when, phi_t / DEGREE);
-        }
+    char text[CLOD_WORDS_MOST];
+    if (clod_words_no_rathole(self, hole, text)) {
+        clod_warning_list_add(&self->warnings, "%s", text);
     } else if (share > 0.0) {
         clod_warning_list_add(
             &self->warnings,
-            "Rathole%s: in %.1f %% of the samples the static angle of internal friction is "
+            "Rathole, %s: in %.1f %% of the samples the static angle of internal friction is "
             "outside 30 to 70 deg, where Jenike's function G is known; the interval is that of "
             "the others.",
-            when, 100.0 * share);
+            CLOD_WORDS_HOLES[hole], 100.0 * share);
     }
 }
 
@@ -328,10 +368,9 @@ static void warn_rathole(clod_hopper *self)
             "No rathole diameter: the key static_friction, or a column phi_t of the flow "
             "function, is missing.");
     } else {
-        warn_hole(self, CLOD_HOPPER_EMPTYING, ", emptying", self->hole.state.phi_t);
+        warn_hole(self, CLOD_HOPPER_EMPTYING);
         if (self->silo.diameter > 0.0) {
-            warn_hole(self, CLOD_HOPPER_FILLING, ", after filling",
-                      clod_curve_at(&self->solid.phi_t, self->hole.filling_stress));
+            warn_hole(self, CLOD_HOPPER_FILLING);
         }
     }
     if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
@@ -342,6 +381,24 @@ static void warn_rathole(clod_hopper *self)
     }
 }
 
+/** Few specimens, whose scatter is hardly known. */
+static void warn_few(clod_hopper *self, const char *test, const clod_curve *curve)
+{
+    const char *what = curve->specimens > 0 ? "specimens" : "repeats";
+    size_t least = 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        const size_t freedom = curve->points[i].freedom;
+        least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
+    }
+    if (least > 0 && least < FEW) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: the intervals rest on the scatter of %zu %s, which tells little of how %s differ: "
+            "they are drawn from Student's t of %zu degree%s of freedom. More %s make them narrower.",
+            test, least + 1, what, what, least, least == 1 ? "" : "s", what);
+    }
+}
+
 void clod_doubts_warn(clod_hopper *self, bool one_specimen)
 {
     warn_strength(self);
@@ -349,6 +406,8 @@ void clod_doubts_warn(clod_hopper *self, bool one_specimen)
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
     warn_rathole(self);
     warn_errors(self);
+    warn_few(self, "Yield loci", &self->solid.strength);
+    warn_few(self, "Wall yield locus", &self->solid.wall);
     if (one_specimen) {
         clod_warning_list_add(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
     }

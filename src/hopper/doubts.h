@@ -18,3 +18,10 @@ bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clo
 
 /** Note what is doubtful about a finished design in its warnings. */
 void clod_doubts_warn(clod_hopper *self, bool one_specimen);
+
+/**
+ * Note where the wall decides by what was not measured, or another stress asks for another angle.
+ *
+ * Test  tests/hopper/test_wall_decides.py
+ */
+void clod_doubts_wall(clod_hopper *self, const char *name, const clod_hopper_found *found);

@@ -54,6 +54,16 @@ static json_t *shape_of(const clod_hopper_found *found)
             json_object_set_new(self, field->key, interval(&found->number[n], field->json));
         }
     }
+    const clod_hopper_design *at = &found->design;
+    if (at->built > 0.0) {
+        json_object_set_new(
+            self, "judged_at",
+            json_pack("{s:o, s:o, s:o, s:o, s:o}", "outlet_m", number(at->built), "sigma_1_Pa",
+                      number(at->judged.sigma_1), "sigma_w_Pa", number(at->judged.sigma_w),
+                      "phi_e_deg", number(DEGREES * at->judged.phi_e), "phi_w_deg",
+                      number(DEGREES * at->judged.phi_w)));
+    }
+    json_object_set_new(self, "outlet_by_wall", json_boolean(at->sticks));
     if (found->planned > 0.0) {
         json_object_set_new(self, "planned_outlet_m", number(found->planned));
         json_object_set_new(self, "planned_outlet_arching_share", number(found->arching));
@@ -105,6 +115,24 @@ static json_t *measured(const clod_hopper *self)
                      curve_of(&solid->wall, "sigma_w_Pa", "tau_w_Pa", 1.0));
 }
 
+/** Designs from each specimen alone. */
+static json_t *specimens_of(const clod_hopper *self)
+{
+    json_t *list = json_array();
+    for (size_t k = 0; k < self->alone_count; k++) {
+        const clod_hopper_alone *at = &self->alone[k];
+        json_t *one = json_pack("{s:I}", "seed", (json_int_t)at->seed);
+        for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+            json_object_set_new(one, CLOD_HOPPER_SHAPE_NAMES[s],
+                                json_pack("{s:o, s:o}", "half_angle_deg",
+                                          number(DEGREES * at->half_angle[s]), "outlet_m",
+                                          number(at->outlet[s])));
+        }
+        json_array_append_new(list, one);
+    }
+    return list;
+}
+
 char *clod_hopper_json(const clod_hopper *self)
 {
     CLOD_NEED(self);
@@ -118,13 +146,13 @@ char *clod_hopper_json(const clod_hopper *self)
     }
     const clod_hopper_interval *interval_of = &self->from.interval;
     json_t *all = json_pack(
-        "{s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I}, s:o}", "title",
+        "{s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I}, s:o, s:o}", "title",
         self->from.title, "version", clod_version_text(), "case", self->path, "overrides",
         overrides, "cone", shape_of(&self->shape[CLOD_RADIAL_CONE]), "wedge",
         shape_of(&self->shape[CLOD_RADIAL_WEDGE]), "rathole", rathole_of(self), "measured",
         measured(self), "arch_thickness", CLOD_HOPPER_ARCH_NAMES[self->from.arch], "interval",
         "level", interval_of->level, "samples", (json_int_t)interval_of->samples, "seed",
-        (json_int_t)interval_of->seed, "warnings", warnings);
+        (json_int_t)interval_of->seed, "specimens", specimens_of(self), "warnings", warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

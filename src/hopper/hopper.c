@@ -24,9 +24,11 @@ static void design(clod_hopper *self, clod_radial_shape shape, const clod_hopper
                                      .half_angle = wanted->half_angle,
                                      .margin = self->from.margin,
                                      .arch = (clod_hopper_arch)self->from.arch,
+                                     .outlet = wanted->outlet,
+                                     .least = PARTICLES[shape] * self->from.largest_particle,
                                      .tolerance = CLOD_RADIAL_TOLERANCE};
-    found->planned = wanted->outlet;
-    found->mechanical = PARTICLES[shape] * self->from.largest_particle;
+    found->planned = found->wish.outlet;
+    found->mechanical = found->wish.least;
     found->design = clod_hopper_design_shape(&self->solid, &found->wish);
     clod_hopper_outcome outcome;
     double number[CLOD_HOPPER_NUMBERS];
@@ -45,7 +47,7 @@ static bool fill(clod_hopper *self, clod_status *status)
     self->hole = clod_rathole_of(&self->solid, &self->silo);
     self->rathole[CLOD_HOPPER_EMPTYING].value = self->hole.emptying;
     self->rathole[CLOD_HOPPER_FILLING].value = self->hole.filling;
-    return clod_interval_fill(self, status);
+    return clod_interval_fill(self, status) && clod_interval_alone(self, status);
 }
 
 /** Whether as many overrides are there as were said. */
@@ -108,6 +110,7 @@ void clod_hopper_destroy(clod_hopper **self)
         clod_memory_free((*self)->overrides[k]);
     }
     clod_memory_free((*self)->overrides);
+    clod_memory_free((*self)->alone);
     clod_memory_free((*self)->path);
     clod_memory_free(*self);
     *self = NULL;

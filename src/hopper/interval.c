@@ -5,15 +5,14 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/random.h"
+#include "hopper/draw.h"
 #include "hopper/samples.h"
+#include "hopper/specimens.h"
 #include "parallel/threads.h"
 
 #define JOBS 64
 #define SAMPLE_TOLERANCE 1e-6 // of the stress field: far below any error of measurement
 #define COARSEST 1e-3         // what that tolerance changes at most, relatively
-#define LEAST_ANGLE 0.02      // rad: what a drawn angle is kept within
-#define MOST_ANGLE 1.5
 
 /** What one sample found. */
 typedef struct sample {
@@ -55,67 +54,13 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     number[CLOD_HOPPER_PHI_W] = critical ? at.state.phi_w : none;
     number[CLOD_HOPPER_RHO] = critical ? at.state.rho : none;
     number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
+    number[CLOD_HOPPER_JUDGED_PHI_W] = slides ? at.judged.phi_w : none;
     number[CLOD_HOPPER_MARGIN] = none;
     if (asked_for_margin(found)) {
         clod_hopper_wish built =
             found->wish; // its angle is that of the design, not of a sample
         built.half_angle = found->design.half_angle;
         number[CLOD_HOPPER_MARGIN] = clod_hopper_margin_of(solid, &built, found->planned).ratio;
-    }
-}
-
-static double normal(const task *self, size_t item, uint64_t *draw)
-{
-    const uint64_t seed = (uint64_t)self->hopper->from.interval.seed;
-    *draw += 2;
-    return clod_random_normal(seed, CLOD_RANDOM_MEASURED, item, *draw - 2);
-}
-
-/** Draw the points of a curve: each for itself, and all of them with every specimen. */
-static void draw_curve(const task *self, size_t item, const clod_curve *measured,
-                       clod_curve *curve, uint64_t *draw)
-{
-    for (size_t i = 0; i < measured->count; i++) {
-        const clod_curve_point *from = &measured->points[i];
-        clod_curve_point *to = &curve->points[i];
-        double shared = 0.0;
-        for (size_t s = 0; from->spread != NULL && s < measured->specimens; s++) {
-            shared += from->spread[s] * from->spread[s];
-        }
-        const double alone = sqrt(fmax(from->y_error * from->y_error - shared, 0.0));
-        to->x = fmax(0.01 * from->x, from->x + from->x_error * normal(self, item, draw));
-        to->y = from->y + alone * normal(self, item, draw);
-    }
-    for (size_t s = 0; s < measured->specimens; s++) {
-        const double specimen = normal(self, item, draw);
-        for (size_t i = 0; i < measured->count; i++) {
-            const double *spread = measured->points[i].spread;
-            curve->points[i].y += spread != NULL ? spread[s] * specimen : 0.0;
-        }
-    }
-    for (size_t i = 0; i < measured->count; i++) {
-        curve->points[i].y = fmax(0.0, curve->points[i].y);
-    }
-}
-
-/** Draw every point of every curve; stresses stay positive, angles below a right one. */
-static void draw_solid(const task *self, size_t item, clod_solid *solid)
-{
-    const clod_solid *measured = &self->hopper->solid;
-    uint64_t draw = 0;
-    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        draw_curve(self, item, &measured->curves[k], &solid->curves[k], &draw);
-    }
-    for (size_t i = 0; i < solid->phi_e.count; i++) {
-        clod_curve_point *point = &solid->phi_e.points[i];
-        point->y = fmin(MOST_ANGLE, fmax(LEAST_ANGLE, point->y));
-    }
-    for (size_t i = 0; i < solid->rho.count; i++) {
-        clod_curve_point *point = &solid->rho.points[i];
-        point->y = fmax(0.01 * measured->rho.points[i].y, point->y);
-    }
-    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        clod_curve_sort(&solid->curves[k]);
     }
 }
 
@@ -139,10 +84,14 @@ static void design_sample(const task *self, const clod_solid *solid, sample *to)
     to->hole[CLOD_HOPPER_FILLING] = hole.filling;
 }
 
-static void run_sample(const task *self, size_t item, clod_solid *solid)
+static void copy_points(const clod_solid *from, clod_solid *to)
 {
-    draw_solid(self, item, solid);
-    design_sample(self, solid, &self->samples[item]);
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        if (from->curves[k].count > 0) {
+            memcpy(to->curves[k].points, from->curves[k].points,
+                   from->curves[k].count * sizeof *from->curves[k].points);
+        }
+    }
 }
 
 /** Copies of all points, in one piece of memory, which the first curve owns. */
@@ -156,13 +105,67 @@ static bool copy_solid(const clod_solid *from, clod_solid *to, clod_curve_point 
     *owned = clod_memory_alloc(count, sizeof **owned);
     clod_curve_point *at = *owned;
     for (size_t k = 0; k < CLOD_SOLID_CURVES && *owned != NULL; k++) {
-        if (from->curves[k].count > 0) {
-            memcpy(at, from->curves[k].points, from->curves[k].count * sizeof *at);
-        }
         to->curves[k].points = at;
         at += from->curves[k].count;
     }
+    if (*owned != NULL) {
+        copy_points(from, to);
+    }
     return *owned != NULL;
+}
+
+/** Put what a specimen alone says in place of the means; false: it is not in all points. */
+static bool take_alone(const clod_solid *measured, size_t specimen, clod_solid *to)
+{
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        const clod_curve *from = &measured->curves[k];
+        const bool shear = from->specimens > 0 && from->test == CLOD_CURVE_SHEAR;
+        for (size_t i = 0; i < from->count && shear; i++) {
+            const clod_curve_point *point = &from->points[i];
+            clod_curve_point *alone = &to->curves[k].points[i];
+            alone->x =
+                clod_specimens_alone(point->x, point->x_spread, from->specimens, specimen);
+            alone->y = clod_specimens_alone(point->y, point->spread, from->specimens, specimen);
+            if (isnan(alone->x) || isnan(alone->y)) {
+                return false;
+            }
+        }
+        clod_curve_sort(&to->curves[k]);
+    }
+    return true;
+}
+
+static void design_alone(const clod_hopper *self, const clod_solid *solid,
+                         clod_hopper_alone *to)
+{
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        clod_hopper_outcome outcome;
+        double number[CLOD_HOPPER_NUMBERS];
+        clod_interval_numbers(solid, &self->shape[s], &outcome, number);
+        to->half_angle[s] = number[CLOD_HOPPER_HALF_ANGLE];
+        to->outlet[s] = number[CLOD_HOPPER_OUTLET];
+    }
+}
+
+bool clod_interval_alone(clod_hopper *self, clod_status *status)
+{
+    const size_t specimens = self->solid.seeds != NULL ? self->solid.strength.specimens : 0;
+    clod_solid solid;
+    clod_curve_point *owned;
+    bool good = copy_solid(&self->solid, &solid, &owned);
+    self->alone = clod_memory_alloc(specimens, sizeof *self->alone);
+    good = good && (self->alone != NULL || specimens == 0);
+    for (size_t s = 0; s < specimens && good; s++) {
+        copy_points(&self->solid, &solid);
+        if (take_alone(&self->solid, s, &solid)) {
+            clod_hopper_alone *to = &self->alone[self->alone_count++];
+            to->seed = self->solid.seeds[s];
+            design_alone(self, &solid, to);
+        }
+    }
+    self->alone_count = self->alone_count > 1 ? self->alone_count : 0;
+    clod_memory_free(owned);
+    return good || clod_status_fail(status, CLOD_FAILED, "No memory for the specimens.");
 }
 
 static void run_job(void *context, int number)
@@ -171,10 +174,16 @@ static void run_job(void *context, int number)
     const clod_chunk chunk = clod_threads_chunk(self->count, number, JOBS);
     clod_solid solid;
     clod_curve_point *owned;
-    self->lost[number] = !copy_solid(&self->hopper->solid, &solid, &owned);
+    clod_draw draw;
+    const bool copied = copy_solid(&self->hopper->solid, &solid, &owned);
+    const bool begun =
+        clod_draw_init(&draw, &self->hopper->solid, (uint64_t)self->hopper->from.interval.seed);
+    self->lost[number] = !copied || !begun;
     for (size_t i = chunk.begin; i < chunk.end && !self->lost[number]; i++) {
-        run_sample(self, i, &solid);
+        clod_draw_solid(&draw, i, &solid);
+        design_sample(self, &solid, &self->samples[i]);
     }
+    clod_draw_fini(&draw);
     clod_memory_free(owned);
 }
 

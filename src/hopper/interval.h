@@ -18,3 +18,10 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
  * Test    tests/hopper/test_interval.c
  */
 bool clod_interval_fill(clod_hopper *self, clod_status *status);
+
+/**
+ * Design from each specimen of the shear tests alone, where two or more are in all yield loci.
+ *
+ * Errors  CLOD_FAILED: memory.   Test  tests/hopper/test_measured.py
+ */
+bool clod_interval_alone(clod_hopper *self, clod_status *status);

@@ -55,14 +55,33 @@ static bool has_phi_e(const clod_locus_study *study, clod_status *status)
                             1e-3 * first->sigma_2.value, 1e-3 * first->sigma_p.value);
 }
 
-/** Rows of the loci of a study; owned, NULL with status. */
-static clod_loci_row *rows_of(const clod_locus_study *study, bool brings_phi_e,
-                              clod_tables_notes *notes, clod_status *status)
+/** What the specimens of each locus share, in all its values at once. */
+static bool share(const clod_locus_study *study, clod_loci *self, clod_status *status)
 {
-    clod_loci_row *rows = clod_memory_alloc(study->count, sizeof *rows);
+    clod_specimens *of = &self->specimens;
+    if (!clod_specimens_of(study, of)) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the specimens.");
+    }
+    for (size_t g = 0; g < study->count && of->spread != NULL; g++) {
+        clod_loci_row *to = &self->rows[g];
+        if (study->groups[g].seed_count > 1) {
+            to->strength.x_spread = clod_specimens_at(of, g, CLOD_SPECIMENS_SIGMA_1);
+            to->strength.spread = clod_specimens_at(of, g, CLOD_SPECIMENS_STRENGTH);
+            to->phi_e.spread = clod_specimens_at(of, g, CLOD_SPECIMENS_PHI_E);
+            to->phi_t.spread = clod_specimens_at(of, g, CLOD_SPECIMENS_PHI_T);
+            to->rho.spread = clod_specimens_at(of, g, CLOD_SPECIMENS_RHO);
+        }
+    }
+    return true;
+}
+
+/** Rows of the loci of a study. */
+static bool rows_of(const clod_locus_study *study, bool brings_phi_e, clod_loci *self,
+                    clod_tables_notes *notes, clod_status *status)
+{
+    clod_loci_row *rows = self->rows = clod_memory_alloc(study->count, sizeof *rows);
     if (rows == NULL) {
-        clod_status_fail(status, CLOD_FAILED, "No memory for the loci.");
-        return NULL;
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the loci.");
     }
     bool good = true;
     for (size_t g = 0; g < study->count && good; g++) {
@@ -79,11 +98,8 @@ static clod_loci_row *rows_of(const clod_locus_study *study, bool brings_phi_e,
     if (study->warning[0] != '\0') {
         clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);
     }
-    if (!good || (brings_phi_e && !has_phi_e(study, status))) {
-        clod_memory_free(rows);
-        return NULL;
-    }
-    return rows;
+    self->count = study->count;
+    return good && (!brings_phi_e || has_phi_e(study, status)) && share(study, self, status);
 }
 
 bool clod_loci_find(const char *path, const char *table, char inside[PATH_MAX],
@@ -159,35 +175,39 @@ static bool read_tests(tests *self, const clod_hopper_strength *from, clod_statu
     return true;
 }
 
-/** The loci of all points together; NULL with status. */
-static clod_loci_row *evaluate(const tests *self, const clod_hopper_case *of, size_t *count,
-                               clod_tables_notes *notes, clod_status *status)
+/** The loci of all points together. */
+static bool evaluate(const tests *self, const clod_hopper_case *of, clod_loci *loci,
+                     clod_tables_notes *notes, clod_status *status)
 {
     clod_status why = {0};
-    clod_loci_row *rows = NULL;
+    bool good = false;
     clod_locus_study *study = clod_locus_study_create(self->points, self->point_count, &why);
     if (study == NULL ||
         clod_angles_check(study, self->points, self->sources, self->count, status)) {
-        rows = study != NULL ? rows_of(study, !of->phi_e.present, notes, &why) : NULL;
-        if (rows == NULL) { // of several files: the preshear stress says which
+        good = study != NULL && rows_of(study, !of->phi_e.present, loci, notes, &why);
+        if (!good) { // of several files: the preshear stress says which
             clod_status_fail(status, why.code, "%s%s: %s", of->strength.tests[0].points,
                              self->count > 1 ? " and those after it" : "", why.text);
         }
     }
-    *count = rows != NULL ? study->count : 0;
     clod_locus_study_destroy(&study);
-    return rows;
+    return good;
 }
 
-bool clod_loci_read(const clod_hopper_case *of, void **rows, size_t *count,
-                    clod_tables_notes *notes, clod_status *status)
+bool clod_loci_read(const clod_hopper_case *of, clod_loci *loci, clod_tables_notes *notes,
+                    clod_status *status)
 {
     tests all = {0};
-    *rows = NULL;
-    *count = 0;
-    if (read_tests(&all, &of->strength, status)) {
-        *rows = evaluate(&all, of, count, notes, status);
-    }
+    *loci = (clod_loci){0};
+    const bool good =
+        read_tests(&all, &of->strength, status) && evaluate(&all, of, loci, notes, status);
     tests_fini(&all);
-    return *rows != NULL;
+    return good;
+}
+
+void clod_loci_fini(clod_loci *self)
+{
+    clod_memory_free(self->rows);
+    clod_specimens_fini(&self->specimens);
+    *self = (clod_loci){0};
 }

@@ -6,24 +6,36 @@
 
 #include <limits.h>
 
+#include "hopper/specimens.h"
 #include "hopper/tables.h"
 
 /** A row of the flow function; 0: not there. */
 typedef struct clod_loci_row {
-    clod_curve_point strength, phi_e, phi_t, rho; ///< x: sigma_1, in strength alone
+    clod_curve_point strength, phi_e, phi_t,
+        rho; ///< x, and what belongs to it, in strength alone
 } clod_loci_row;
+
+/** The loci of shear tests. */
+typedef struct clod_loci {
+    clod_loci_row *rows; ///< [count] owned (clod_loci_fini)
+    size_t count;
+    clod_specimens specimens; ///< owned; what moves the rows together
+} clod_loci;
 
 /**
  * Evaluate the points of all shear tests of a case together, as clod locus does.
  *
- * @param rows   [out] clod_loci_row [count], owned (clod_memory_free)
+ * @param loci   [out] owned content (clod_loci_fini), also after an error
  * @param notes  [in, out]
  * Errors  CLOD_USAGE: as clod_locus_read, clod_locus_study_create and clod_angles_check, and no
  *         strength, or no phi_e.
  * Threads safe.   Test  tests/hopper/test_measured.py, test_refusals.py
  */
-bool clod_loci_read(const clod_hopper_case *of, void **rows, size_t *count,
-                    clod_tables_notes *notes, clod_status *status);
+bool clod_loci_read(const clod_hopper_case *of, clod_loci *loci, clod_tables_notes *notes,
+                    clod_status *status);
+
+/** Free the content; loci of zeros are fine. */
+void clod_loci_fini(clod_loci *self);
 
 /** The file itself, or the table of this name in a results folder, which must have it. */
 bool clod_loci_find(const char *path, const char *table, char inside[PATH_MAX],

@@ -118,12 +118,15 @@ static const clod_param SHAPE[] = {
      .fallback = "auto",
      .example = "20 deg",
      CLOD_AT(clod_hopper_shape, half_angle),
-     .help = "Angle of the wall from the vertical; auto: the limit of mass flow in a cone less "
-             "margin.",
+     .help =
+         "Angle of the wall from the vertical; auto: the limit of mass flow in a cone, at the "
+         "outlet that is built, less margin.",
      .source = THEORY},
-    REAL_ROW(clod_hopper_shape, "outlet", outlet, "m", "300 mm",
-             "Diameter or width of an outlet whose margin against an arch is wanted.",
-             CLOD_ABOVE(0, 100)),
+    REAL_ROW(
+        clod_hopper_shape, "outlet", outlet, "m", "300 mm",
+        "Diameter or width of an outlet that is built: its margin against an arch, and the "
+        "half angle for its stresses.",
+        CLOD_ABOVE(0, 100)),
 };
 static const clod_table SHAPE_TABLE = {.title = "A hopper of one shape.", CLOD_ROWS(SHAPE)};
 

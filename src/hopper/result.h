@@ -16,17 +16,18 @@
 
 /** Numbers of one shape. */
 typedef enum clod_hopper_number {
-    CLOD_HOPPER_LIMIT,       ///< rad; 0: funnel flow
-    CLOD_HOPPER_HALF_ANGLE,  ///< rad; 0: funnel flow
-    CLOD_HOPPER_OUTLET,      ///< m; 0: no arch; INFINITY: none is large enough
-    CLOD_HOPPER_FLOW_FACTOR, ///< NAN: funnel flow
-    CLOD_HOPPER_SIGMA_1,     ///< Pa; this to rho: NAN where there is no critical state
-    CLOD_HOPPER_STRENGTH,    ///< Pa
-    CLOD_HOPPER_PHI_E,       ///< rad
-    CLOD_HOPPER_PHI_W,       ///< rad
-    CLOD_HOPPER_RHO,         ///< kg/m3
-    CLOD_HOPPER_ARCH,        ///< H; NAN: funnel flow
-    CLOD_HOPPER_MARGIN,      ///< NAN: no outlet is given, or funnel flow
+    CLOD_HOPPER_LIMIT,        ///< rad; 0: funnel flow
+    CLOD_HOPPER_HALF_ANGLE,   ///< rad; 0: funnel flow
+    CLOD_HOPPER_OUTLET,       ///< m; 0: no arch; INFINITY: none is large enough
+    CLOD_HOPPER_FLOW_FACTOR,  ///< NAN: funnel flow
+    CLOD_HOPPER_SIGMA_1,      ///< Pa; this to rho: NAN where there is no critical state
+    CLOD_HOPPER_STRENGTH,     ///< Pa
+    CLOD_HOPPER_PHI_E,        ///< rad
+    CLOD_HOPPER_PHI_W,        ///< rad
+    CLOD_HOPPER_RHO,          ///< kg/m3
+    CLOD_HOPPER_ARCH,         ///< H; NAN: funnel flow
+    CLOD_HOPPER_MARGIN,       ///< NAN: no outlet is given, or funnel flow
+    CLOD_HOPPER_JUDGED_PHI_W, ///< rad, where limit and half angle are judged; NAN: funnel flow
     CLOD_HOPPER_NUMBERS,
 } clod_hopper_number;
 
@@ -53,6 +54,13 @@ typedef struct clod_hopper_found {
                                      ///< measured curve (samples.h); NAN: not known
 } clod_hopper_found;
 
+/** What a specimen that is in all yield loci makes of the design, alone; the wall as measured. */
+typedef struct clod_hopper_alone {
+    int64_t seed;
+    double half_angle[CLOD_HOPPER_SHAPES]; ///< rad; 0: funnel flow
+    double outlet[CLOD_HOPPER_SHAPES];     ///< m; 0: no arch; INFINITY: none is large enough
+} clod_hopper_alone;
+
 struct clod_hopper {
     clod_hopper_case from; ///< owned content
     char *path;            ///< owned, of the case
@@ -65,5 +73,7 @@ struct clod_hopper {
     double
         holed[CLOD_HOPPER_HOLES]; ///< share of the samples in which G of that rathole is known
     clod_rathole hole;
+    clod_hopper_alone *alone; ///< [alone_count] owned; NULL: fewer than two such specimens
+    size_t alone_count;
     clod_warning_list warnings;
 };

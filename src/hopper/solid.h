@@ -5,6 +5,7 @@
  */
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "hopper/curve.h"
 
@@ -31,6 +32,8 @@ typedef struct clod_solid {
         };
         clod_curve curves[CLOD_SOLID_CURVES];
     };
+    int64_t *seeds; ///< [strength.specimens] owned numbers of the specimens of the shear tests,
+                    ///< ascending; NULL: there are none
 } clod_solid;
 
 /** The solid at one major principal stress. */

@@ -68,14 +68,43 @@ static void put_planned(FILE *out, const clod_hopper_found *found)
     }
 }
 
-static void put_shape(FILE *out, const clod_hopper_found *found)
+/** The outlets that specimens ask for, each alone: "43.1 (seed 101), 42.9 (seed 102) mm"; of as many as
+ *  have room. */
+static void put_alone(FILE *out, const clod_hopper *self, int shape)
 {
+    char text[1024] = "";
+    size_t used = 0;
+    size_t k = 0;
+    for (; k < self->alone_count && used < sizeof text - 80; k++) {
+        const clod_hopper_alone *at = &self->alone[k];
+        const double outlet = 1e3 * at->outlet[shape];
+        char number[32] = "infinite";
+        if (isfinite(outlet)) {
+            snprintf(number, sizeof number, "%.1f", outlet);
+        }
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s (seed %lld)",
+                                 k > 0 ? ", " : "", isnan(outlet) ? "-" : number,
+                                 (long long)at->seed);
+    }
+    if (k > 0) {
+        snprintf(text + used, sizeof text - used, "%s mm",
+                 k < self->alone_count ? ", ..." : "");
+        put_text(out, "  critical outlet by specimen ", text);
+    }
+}
+
+static void put_shape(FILE *out, const clod_hopper *self, int shape)
+{
+    const clod_hopper_found *found = &self->shape[shape];
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
     char text[CLOD_WORDS_MOST];
     fprintf(out, "\n%s\n",
             cone ? "Cone, round outlet" : "Wedge, slot at least 3 times as long");
     clod_words_verdict(found, text);
     put_text(out, "  ", text);
+    if (clod_words_judged(found, text)) {
+        put_text(out, "  limit and half angle: ", text);
+    }
     for (int n = 0; n < CLOD_HOPPER_MARGIN; n++) {
         put_line(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
     }
@@ -86,6 +115,7 @@ static void put_shape(FILE *out, const clod_hopper_found *found)
     }
     clod_words_shares(found, text);
     put_text(out, "  samples ", text);
+    put_alone(out, self, (int)found->wish.shape);
     put_planned(out, found);
 }
 
@@ -119,8 +149,8 @@ char *clod_hopper_table(const clod_hopper *self)
     fprintf(out, "Hopper%s%s\n\n", self->from.title != NULL ? ": " : "",
             self->from.title != NULL ? self->from.title : "");
     fprintf(out, "  %-32s%10s%10.3g %%%10.3g %%\n", "", "value", tail, 100.0 - tail);
-    put_shape(out, &self->shape[CLOD_RADIAL_CONE]);
-    put_shape(out, &self->shape[CLOD_RADIAL_WEDGE]);
+    put_shape(out, self, CLOD_RADIAL_CONE);
+    put_shape(out, self, CLOD_RADIAL_WEDGE);
     put_rathole(out, self);
     fprintf(out, "\n  %.3g %% interval from %lld samples, seed %lld; H(theta) by %s\n",
             100.0 * self->from.interval.level, (long long)self->from.interval.samples,

@@ -144,6 +144,8 @@ static bool take(const row *rows, size_t count, size_t offset, clod_curve *curve
             *(const clod_curve_point *)(const void *)((const char *)&rows[i] + offset);
         point.x = rows[i].strength.x;
         point.x_error = rows[i].strength.x_error;
+        point.x_spread = rows[i].strength.x_spread;
+        point.row = i + 1;
         if (point.y > 0.0 || offset == offsetof(row, strength)) {
             curve->points[curve->count++] = point;
         }
@@ -169,17 +171,40 @@ bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *sta
     return good;
 }
 
+/** Hand the specimens of the shear tests on to the solid, which owns them then. */
+static void share(clod_solid *solid, clod_specimens *of)
+{
+    const clod_curve *rows = &solid->strength; // it has all of them, in their order
+    clod_specimens_sort(rows->points, rows->count, of->count);
+    for (size_t k = 0; k < CLOD_SOLID_WALL; k++) {
+        clod_curve *curve = &solid->curves[k];
+        curve->specimens = of->count;
+        curve->test = CLOD_CURVE_SHEAR;
+        for (size_t i = 0; i < curve->count; i++) {
+            const clod_curve_point *from = &rows->points[curve->points[i].row - 1];
+            curve->points[i].set = from->set;
+            curve->points[i].freedom = from->freedom;
+        }
+    }
+    solid->strength.spread = of->spread;
+    solid->seeds = of->seeds;
+    of->spread = NULL;
+    of->seeds = NULL;
+}
+
 static bool read_strength(const clod_hopper_case *of, clod_solid *solid,
                           clod_tables_notes *notes, clod_status *status)
 {
     if (of->strength.file != NULL) {
         return clod_tables_read_flow(of->strength.file, solid, status);
     }
-    void *rows = NULL;
-    size_t count = 0;
-    const bool good = clod_loci_read(of, &rows, &count, notes, status) &&
-                      take_rows(rows, count, solid, status);
-    clod_memory_free(rows);
+    clod_loci loci;
+    const bool good = clod_loci_read(of, &loci, notes, status) &&
+                      take_rows(loci.rows, loci.count, solid, status);
+    if (good && loci.specimens.spread != NULL) {
+        share(solid, &loci.specimens);
+    }
+    clod_loci_fini(&loci);
     return good;
 }
 
@@ -299,4 +324,6 @@ void clod_tables_fini(clod_solid *solid)
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_fini(&solid->curves[k]);
     }
+    clod_memory_free(solid->seeds);
+    solid->seeds = NULL;
 }

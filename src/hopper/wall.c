@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "hopper/specimens.h"
 
 #define SAME_STRESS 0.02 ///< relative: no further apart, two normal stresses are one
 #define ASKED 1e-6       ///< the same for those that were asked for, which are exact
@@ -87,7 +88,7 @@ static size_t count_stresses(const set *self)
 /**
  * Mean of the points of one stress.
  *
- * @param spread  [out] [specimens] zeros on entry; NULL: the points are no specimens
+ * @param spread  [out] [specimens] NAN on entry; NULL: the points are no specimens
  */
 static clod_curve_point mean_of(const set *self, const item *items, size_t count,
                                 double *spread)
@@ -108,11 +109,13 @@ static clod_curve_point mean_of(const set *self, const item *items, size_t count
         stated += (items[i].y_error * items[i].y_error + across * across) / n / n;
         scatter += off * off;
         if (spread != NULL) {
-            spread[items[i].specimen] += off;
+            double *own = &spread[items[i].specimen];
+            *own = isnan(*own) ? off : *own + off;
         }
     }
     mean.y_error = sqrt(fmax(stated, scatter));
     mean.spread = spread;
+    mean.freedom = spread == NULL && scatter > stated ? count - 1 : 0; // else as specimens say
     return mean;
 }
 
@@ -123,10 +126,12 @@ static void make_curve(const set *self, clod_curve *curve)
         const item *one = &self->items[first];
         double *spread =
             curve->spread != NULL ? &curve->spread[curve->count * curve->specimens] : NULL;
-        curve->points[curve->count++] =
-            next - first > 1
-                ? mean_of(self, one, next - first, spread)
-                : (clod_curve_point){one->x, one->y, one->x_error, one->y_error, NULL};
+        curve->points[curve->count++] = next - first > 1
+                                            ? mean_of(self, one, next - first, spread)
+                                            : (clod_curve_point){.x = one->x,
+                                                                 .y = one->y,
+                                                                 .x_error = one->x_error,
+                                                                 .y_error = one->y_error};
     }
 }
 
@@ -157,7 +162,7 @@ bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_cur
                      clod_warning_list *warnings, clod_status *status)
 {
     set self = {.count = count};
-    *curve = (clod_curve){.way = CLOD_CURVE_EXTENDED};
+    *curve = (clod_curve){.way = CLOD_CURVE_EXTENDED, .test = CLOD_CURVE_WALL};
     if (!look(&self, points, warnings, status)) {
         return false;
     }
@@ -168,13 +173,19 @@ bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_cur
         fill(&self, points);
     }
     if (good && self.specimens > 1) {
+        const size_t places = count_stresses(&self) * self.specimens;
         curve->specimens = self.specimens;
-        curve->spread =
-            clod_memory_alloc(count_stresses(&self), self.specimens * sizeof *curve->spread);
+        curve->spread = clod_memory_alloc(places, sizeof *curve->spread);
         good = curve->spread != NULL;
+        for (size_t k = 0; k < places && good; k++) {
+            curve->spread[k] = (double)NAN;
+        }
     }
     if (good) {
         make_curve(&self, curve);
+        if (curve->specimens > 0) {
+            clod_specimens_sort(curve->points, curve->count, curve->specimens);
+        }
         clod_curve_sort(curve);
     }
     clod_memory_free(self.items);

@@ -1,5 +1,6 @@
 #include "hopper/words.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -28,9 +29,25 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
             "deg. If a chart for wedges allows that, no cohesive arch stands %s.",
             DEGREES * at->limit, DEGREES * at->half_angle,
             at->outlet > 0.0 ? "above the critical outlet" : "at any outlet");
+    } else if (at->sticks) {
+        snprintf(text, CLOD_WORDS_MOST,
+                 "Mass flow, and no cohesive arch above the critical outlet. It is the wall's: "
+                 "at the stresses of smaller ones the solid does not slide along it.");
     } else {
         snprintf(text, CLOD_WORDS_MOST, "%s", WORDS[at->outcome]);
     }
+}
+
+bool clod_words_judged(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
+{
+    const clod_hopper_design *at = &found->design;
+    const bool other = at->built > 0.0 && !(at->judged.sigma_1 == at->state.sigma_1);
+    snprintf(text, CLOD_WORDS_MOST,
+             "at the outlet of %.1f mm, where sigma_1 is %.3f kPa, phi_e %.1f and the wall "
+             "friction angle %.1f deg",
+             1e3 * at->built, 1e-3 * at->judged.sigma_1, DEGREES * at->judged.phi_e,
+             DEGREES * at->judged.phi_w);
+    return other && at->outcome != CLOD_HOPPER_FUNNEL;
 }
 
 void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
@@ -50,4 +67,29 @@ void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST
                      100.0 * found->share[k], WORDS[k]);
         }
     }
+}
+
+const char *const CLOD_WORDS_HOLES[CLOD_HOPPER_HOLES] = {
+    [CLOD_HOPPER_EMPTYING] = "emptying", [CLOD_HOPPER_FILLING] = "after filling"};
+
+bool clod_words_no_rathole(const clod_hopper *self, int hole, char text[CLOD_WORDS_MOST])
+{
+    const double phi_t = hole == CLOD_HOPPER_EMPTYING
+                             ? self->hole.state.phi_t
+                             : clod_curve_at(&self->solid.phi_t, self->hole.filling_stress);
+    if (!isnan(self->rathole[hole].value)) {
+        return false;
+    }
+    if (phi_t >= CLOD_RATHOLE_LEAST && phi_t <= CLOD_RATHOLE_MOST) {
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "No rathole diameter, %s: the measured properties change too much with stress.",
+            CLOD_WORDS_HOLES[hole]);
+    } else {
+        snprintf(text, CLOD_WORDS_MOST,
+                 "No rathole diameter, %s: Jenike's function G is known from 30 to 70 deg, and "
+                 "the static angle of internal friction is %.1f deg.",
+                 CLOD_WORDS_HOLES[hole], DEGREES * phi_t);
+    }
+    return true;
 }

@@ -60,25 +60,45 @@ static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_fo
     put_card(out, how, angle->low, caption);
 }
 
-static void put_outlet(FILE *out, const clod_hopper_found *found)
+/** "; each specimen alone: 42.2, 42.9, 42.4 mm", of as many as have room. */
+static void tell_alone(char text[128], const clod_hopper *design, int shape)
+{
+    const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_OUTLET];
+    size_t used = 0;
+    size_t k = 0;
+    text[0] = '\0';
+    for (; k < design->alone_count && used < 96; k++) {
+        char value[48];
+        clod_hopper_cells_text(value, how, design->alone[k].outlet[shape]);
+        used += (size_t)snprintf(text + used, 128 - used, "%s%.12s",
+                                 k == 0 ? "; each specimen alone: " : ", ", value);
+    }
+    if (used > 0) {
+        snprintf(text + used, 128 - used, "%s %s", k < design->alone_count ? ", ..." : "",
+                 how->unit);
+    }
+}
+
+static void put_outlet(FILE *out, const clod_hopper *design, const clod_hopper_found *found)
 {
     const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_OUTLET];
     const clod_hopper_value *outlet = &found->number[CLOD_HOPPER_OUTLET];
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
     const double build =
         isnan(outlet->high) ? outlet->high : fmax(outlet->high, found->mechanical);
-    char numbers[240], particles[96] = "", caption[512];
+    char numbers[240], particles[96] = "", alone[128], caption[640];
     tell(numbers, how, outlet);
+    tell_alone(alone, design, (int)found->wish.shape);
     if (found->mechanical > 0.0) {
         snprintf(particles, sizeof particles, "; %s times the largest particle: %.1f mm",
                  cone ? "8" : "4", how->scale * found->mechanical);
     }
-    snprintf(caption, sizeof caption, "%s to build, at least%s. Critical outlet: %s%s",
+    snprintf(caption, sizeof caption, "%s to build, at least%s. Critical outlet: %s%s%s",
              cone ? "diameter of the outlet" : "width of the slot",
              found->design.outcome == CLOD_HOPPER_UNPROVEN
                  ? ", if a chart for wedges shows mass flow"
                  : "",
-             numbers, particles);
+             numbers, particles, alone);
     put_card(out, how, build, caption);
 }
 
@@ -113,7 +133,7 @@ static void put_shape(FILE *out, const clod_hopper *design, int shape)
     fputs("</p>\n<div class=\"cards\">\n", out);
     if (found->design.outcome != CLOD_HOPPER_FUNNEL) {
         put_angle(out, design, found);
-        put_outlet(out, found);
+        put_outlet(out, design, found);
     }
     if (found->planned > 0.0) {
         put_margin(out, found);
@@ -121,34 +141,48 @@ static void put_shape(FILE *out, const clod_hopper *design, int shape)
     fputs("</div>\n", out);
 }
 
+static void put_hole(FILE *out, const clod_hopper *design, int hole, const char *what)
+{
+    const clod_hopper_value *diameter = &design->rathole[hole];
+    char numbers[240], caption[1024];
+    tell(numbers, &CLOD_HOPPER_CELLS_HOLES[hole], diameter);
+    snprintf(caption, sizeof caption, "%s. %s", what, numbers);
+    put_card(out, &CLOD_HOPPER_CELLS_HOLES[hole], diameter->value, caption);
+}
+
+/** Cards of ratholes; of one that is not known, why. */
 static void put_holes(FILE *out, const clod_hopper *design)
 {
-    char numbers[240], caption[512];
+    const int asked = design->silo.diameter > 0.0 ? CLOD_HOPPER_HOLES : 1;
+    char what[CLOD_HOPPER_HOLES][240], why[CLOD_HOPPER_HOLES][CLOD_WORDS_MOST];
+    bool none[CLOD_HOPPER_HOLES] = {true, true};
     if (design->solid.phi_t.count == 0) {
         return;
     }
-    fputs("<h3>Rathole, if it is funnel flow</h3>\n<div class=\"cards\">\n", out);
-    tell(numbers, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_EMPTYING],
-         &design->rathole[CLOD_HOPPER_EMPTYING]);
     snprintf(
-        caption, sizeof caption,
-        "diameter that stays, at least: from the stresses around the hole while it empties. %s",
-        numbers);
-    put_card(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_EMPTYING],
-             design->rathole[CLOD_HOPPER_EMPTYING].value, caption);
-    if (design->silo.diameter > 0.0) {
-        tell(numbers, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_FILLING],
-             &design->rathole[CLOD_HOPPER_FILLING]);
-        snprintf(
-            caption, sizeof caption,
-            "diameter that stays, at most: from the head after filling, %.3f kPa below %.4g m "
-            "of solid in a silo of %.4g m. %s",
-            1e-3 * design->hole.filling_stress, design->silo.height, design->silo.diameter,
-            numbers);
-        put_card(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_FILLING],
-                 design->rathole[CLOD_HOPPER_FILLING].value, caption);
+        what[CLOD_HOPPER_EMPTYING], sizeof what[0],
+        "diameter that stays, at least: from the stresses around the hole while it empties");
+    snprintf(
+        what[CLOD_HOPPER_FILLING], sizeof what[0],
+        "diameter that stays, at most: from the head after filling, %.3f kPa below %.4g m of "
+        "solid in a silo of %.4g m",
+        1e-3 * design->hole.filling_stress, design->silo.height, design->silo.diameter);
+    fputs("<h3>Rathole, if it is funnel flow</h3>\n", out);
+    for (int k = 0; k < asked; k++) {
+        none[k] = clod_words_no_rathole(design, k, why[k]);
+        if (none[k]) {
+            clod_html_cell(out, "p", why[k]);
+        }
     }
-    fputs("</div>\n", out);
+    if (!none[CLOD_HOPPER_EMPTYING] || !none[CLOD_HOPPER_FILLING]) {
+        fputs("<div class=\"cards\">\n", out);
+        for (int k = 0; k < asked; k++) {
+            if (!none[k]) {
+                put_hole(out, design, k, what[k]);
+            }
+        }
+        fputs("</div>\n", out);
+    }
 }
 
 static void put_warnings(FILE *out, const clod_warning_list *warnings)

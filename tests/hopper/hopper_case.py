@@ -1,6 +1,7 @@
 """A case of `clod hopper` in a folder of its own, the table it names, and what the design says."""
 
 import json
+import math
 import os
 import sys
 
@@ -13,6 +14,10 @@ ROWS = "2,1.4,0.05,48,40,1250\n4,1.9,0.05,47,40,1300\n8,2.9,0.08,46,39,1350\n"
 CASE = """flow_function: {file: flow.csv}
 wall_friction: {angle: 20 deg, error: 1 deg}
 """
+
+
+def degrees(tau, sigma):
+    return math.degrees(math.atan2(tau, sigma))
 
 
 class Case(clod.Case):

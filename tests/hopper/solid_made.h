@@ -14,10 +14,10 @@ typedef struct made {
 
 static inline void make_solid(made *self, double phi_e, double phi_w, double rho)
 {
-    self->phi_e = (clod_curve_point){1.0, phi_e * DEGREE, 0, 0, NULL};
-    self->phi_t = (clod_curve_point){1.0, 40.0 * DEGREE, 0, 0, NULL};
-    self->rho = (clod_curve_point){1.0, rho, 0, 0, NULL};
-    self->wall = (clod_curve_point){1.0, tan(phi_w * DEGREE), 0, 0, NULL};
+    self->phi_e = (clod_curve_point){.x = 1.0, .y = phi_e * DEGREE};
+    self->phi_t = (clod_curve_point){.x = 1.0, .y = 40.0 * DEGREE};
+    self->rho = (clod_curve_point){.x = 1.0, .y = rho};
+    self->wall = (clod_curve_point){.x = 1.0, .y = tan(phi_w * DEGREE)};
     self->solid = (clod_solid){
         .strength = {.way = CLOD_CURVE_EXTENDED, .points = self->strength, .count = 0},
         .phi_e = {.way = CLOD_CURVE_HELD, .points = &self->phi_e, .count = 1},
@@ -30,7 +30,7 @@ static inline void make_solid(made *self, double phi_e, double phi_w, double rho
 static inline void add_strength(made *self, double sigma_1, double strength)
 {
     self->strength[self->solid.strength.count++] =
-        (clod_curve_point){1e3 * sigma_1, 1e3 * strength, 0, 0, NULL};
+        (clod_curve_point){.x = 1e3 * sigma_1, .y = 1e3 * strength};
 }
 
 static inline clod_hopper_wish wish_of(clod_radial_shape shape, double half_angle,

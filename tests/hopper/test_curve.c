@@ -4,7 +4,7 @@
 #include "support/check.h"
 
 static clod_curve_point SLOPED[] = {
-    {2.0, 3.0, 0, 0, NULL}, {4.0, 4.0, 0, 0, NULL}, {8.0, 4.8, 0, 0, NULL}};
+    {.x = 2.0, .y = 3.0}, {.x = 4.0, .y = 4.0}, {.x = 8.0, .y = 4.8}};
 
 static clod_curve curve(clod_curve_way way, clod_curve_point *points, size_t count)
 {
@@ -39,7 +39,7 @@ static void a_line_is_that_of_least_squares(void **state)
 static void one_point_is_a_line_from_the_origin(void **state)
 {
     (void)state;
-    clod_curve_point one = {2.0, 1.0, 0, 0, NULL};
+    clod_curve_point one = {.x = 2.0, .y = 1.0};
     const clod_curve extended = curve(CLOD_CURVE_EXTENDED, &one, 1);
     const clod_curve held = curve(CLOD_CURVE_HELD, &one, 1);
     check_close(clod_curve_at(&extended, 6.0), 3.0, 1e-15);
@@ -51,7 +51,7 @@ static void one_point_is_a_line_from_the_origin(void **state)
 static void properties_do_not_fall_below_zero(void **state)
 {
     (void)state;
-    clod_curve_point steep[] = {{2.0, 1.0, 0, 0, NULL}, {3.0, 2.0, 0, 0, NULL}};
+    clod_curve_point steep[] = {{.x = 2.0, .y = 1.0}, {.x = 3.0, .y = 2.0}};
     const clod_curve extended = curve(CLOD_CURVE_EXTENDED, steep, 2);
     check_close(clod_curve_at(&extended, 0.5), 0.0, 0.0);
 }
@@ -78,10 +78,10 @@ static void rays_may_be_missed_on_either_side(void **state)
     const clod_curve above = curve(CLOD_CURVE_EXTENDED, SLOPED, 3);
     assert_int_equal(clod_curve_meet(&above, 0.2, &x), CLOD_CURVE_ABOVE);
     assert_int_equal(clod_curve_meet(&above, 0.1, &x), CLOD_CURVE_ABOVE);
-    clod_curve_point weak[] = {{2.0, 0.2, 0, 0, NULL}, {4.0, 0.4, 0, 0, NULL}};
+    clod_curve_point weak[] = {{.x = 2.0, .y = 0.2}, {.x = 4.0, .y = 0.4}};
     const clod_curve below = curve(CLOD_CURVE_EXTENDED, weak, 2);
     assert_int_equal(clod_curve_meet(&below, 0.5, &x), CLOD_CURVE_BELOW);
-    clod_curve_point nothing[] = {{2.0, 0.0, 0, 0, NULL}, {4.0, 0.0, 0, 0, NULL}};
+    clod_curve_point nothing[] = {{.x = 2.0, .y = 0.0}, {.x = 4.0, .y = 0.0}};
     const clod_curve zero = curve(CLOD_CURVE_LINE, nothing, 2);
     assert_int_equal(clod_curve_meet(&zero, 0.5, &x), CLOD_CURVE_BELOW);
 }
@@ -93,7 +93,7 @@ static void a_curve_may_rise_through_the_ray_first(void **state)
     (void)state;
     double x;
     clod_curve_point rising[] = {
-        {3.0, 1.0, 0, 0, NULL}, {5.0, 3.0, 0, 0, NULL}, {9.0, 3.0, 0, 0, NULL}};
+        {.x = 3.0, .y = 1.0}, {.x = 5.0, .y = 3.0}, {.x = 9.0, .y = 3.0}};
     const clod_curve two = curve(CLOD_CURVE_EXTENDED, rising, 2);
     assert_int_equal(clod_curve_meet(&two, 0.5, &x), CLOD_CURVE_ABOVE);
     const clod_curve three = curve(CLOD_CURVE_EXTENDED, rising, 3);

@@ -115,12 +115,12 @@ static void the_state_fits_its_own_properties(void **state)
     make_solid(&of, 45.0, 20.0, 1500.0);
     add_strength(&of, 2.0, 1.6);
     add_strength(&of, 9.0, 3.7);
-    static clod_curve_point phi_e[] = {{1e3, 0.95, 0, 0, NULL}, {4e3, 0.80, 0, 0, NULL}};
-    static clod_curve_point rho[] = {{1e3, 1300.0, 0, 0, NULL}, {4e3, 1500.0, 0, 0, NULL}};
-    static clod_curve_point wall[] = {{5e2, 250.0, 0, 0, NULL}, {4e3, 1550.0, 0, 0, NULL}};
-    of.solid.phi_e = (clod_curve){CLOD_CURVE_HELD, phi_e, 2, 0, NULL};
-    of.solid.rho = (clod_curve){CLOD_CURVE_HELD, rho, 2, 0, NULL};
-    of.solid.wall = (clod_curve){CLOD_CURVE_EXTENDED, wall, 2, 0, NULL};
+    static clod_curve_point phi_e[] = {{.x = 1e3, .y = 0.95}, {.x = 4e3, .y = 0.80}};
+    static clod_curve_point rho[] = {{.x = 1e3, .y = 1300.0}, {.x = 4e3, .y = 1500.0}};
+    static clod_curve_point wall[] = {{.x = 5e2, .y = 250.0}, {.x = 4e3, .y = 1550.0}};
+    of.solid.phi_e = (clod_curve){.way = CLOD_CURVE_HELD, .points = phi_e, .count = 2};
+    of.solid.rho = (clod_curve){.way = CLOD_CURVE_HELD, .points = rho, .count = 2};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 2};
     const clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 0.0, CLOD_HOPPER_ARCH_ARNOLD);
     const clod_hopper_design at = clod_hopper_design_shape(&of.solid, &wish);
     assert_int_equal(at.outcome, CLOD_HOPPER_FLOWS);
@@ -151,11 +151,11 @@ static void adhesion_at_small_stresses_only(void **state)
     add_strength(&of, 0.8, 3.2);
     add_strength(&of, 6.0, 5.0);
     add_strength(&of, 20.0, 9.0);
-    static clod_curve_point wall[] = {{1e3, 1.0e3, 0, 0, NULL},
-                                      {2e3, 1.3e3, 0, 0, NULL},
-                                      {4e3, 1.9e3, 0, 0, NULL},
-                                      {16e3, 5.5e3, 0, 0, NULL}};
-    of.solid.wall = (clod_curve){CLOD_CURVE_EXTENDED, wall, 4, 0, NULL};
+    static clod_curve_point wall[] = {{.x = 1e3, .y = 1.0e3},
+                                      {.x = 2e3, .y = 1.3e3},
+                                      {.x = 4e3, .y = 1.9e3},
+                                      {.x = 16e3, .y = 5.5e3}};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 4};
     clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 20.0, CLOD_HOPPER_ARCH_ARNOLD);
     const clod_hopper_margin at = clod_hopper_margin_of(&of.solid, &wish, 2.0);
     check_relative(at.stress, 1300.0 * 9.80665 * 2.0 * 65.0 / 150.0, 1e-12);
@@ -257,6 +257,88 @@ static void results_follow_what_was_measured(void **state)
     assert_true(design_of(16.0, 1.0, 0.3).half_angle > usual.half_angle);
 }
 
+/**
+ * A wall with adhesion, tau_w = 0.2 kPa + 0.3 sigma_w, below a solid whose strength would ask for 9 mm:
+ * the half angle is that at the outlet that is built, and the critical outlet the smallest at which the
+ * solid slides below that angle. A hair less, and it sticks.
+ */
+static void where_the_wall_holds_the_solid_it_decides(void **state)
+{
+    (void)state;
+    static made of;
+    make_solid(&of, 45.0, 20.0, 1300.0);
+    add_strength(&of, 2.0, 0.20);
+    add_strength(&of, 9.0, 0.76);
+    static clod_curve_point wall[] = {{.x = 1e3, .y = 500.0}, {.x = 8e3, .y = 2600.0}};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 2};
+    for (int shape = 0; shape < 2; shape++) {
+        clod_hopper_wish wish = wish_of((clod_radial_shape)shape, 0.0, CLOD_HOPPER_ARCH_ARNOLD);
+        wish.outlet = 1.0;
+        const clod_hopper_design at = clod_hopper_design_shape(&of.solid, &wish);
+        assert_int_equal(at.outcome, CLOD_HOPPER_FLOWS);
+        assert_true(at.sticks && at.outlet > 0.02 && at.outlet < 1.0);
+        check_close(at.built, 1.0, 1e-15);
+        check_close(at.half_angle, at.limit - wish.margin, 1e-12);
+        wish.half_angle = at.half_angle;
+        const clod_hopper_margin built = clod_hopper_margin_of(&of.solid, &wish, 1.0);
+        check_relative(built.state.sigma_1, at.judged.sigma_1, 1e-5);
+        check_close(clod_hopper_limit_at(&of.solid, at.judged.sigma_1, wish.tolerance),
+                    at.limit, 1e-6);
+        check_close(clod_hopper_limit_at(&of.solid, at.state.sigma_1, wish.tolerance),
+                    at.half_angle, 1e-4);
+        assert_true(clod_hopper_margin_of(&of.solid, &wish, 1.001 * at.outlet).ratio > 1.0);
+        if (shape ==
+            CLOD_RADIAL_CONE) { // the field of a wedge goes on beyond the limit of a cone
+            assert_true(clod_hopper_margin_of(&of.solid, &wish, 0.999 * at.outlet).sticks);
+        }
+        // the same for that half angle, given
+        const clod_hopper_design given = clod_hopper_design_shape(&of.solid, &wish);
+        check_relative(given.outlet, at.outlet, 1e-6);
+        check_close(given.limit, at.limit, 1e-6);
+        // an outlet below it is no reason for a steeper hopper: none of this angle is mass flow there
+        wish.outlet = 0.5 * at.outlet;
+        check_relative(clod_hopper_design_shape(&of.solid, &wish).outlet, at.outlet, 1e-6);
+    }
+}
+
+/** An outlet that is larger than the critical one has other stresses at its wall, and its half angle. */
+static void the_half_angle_is_that_of_the_outlet_that_is_built(void **state)
+{
+    (void)state;
+    static made of;
+    make_solid(&of, 45.0, 20.0, 1300.0);
+    add_strength(&of, 2.0, 1.4);
+    add_strength(&of, 9.0, 3.5);
+    static clod_curve_point wall[] = {{.x = 1e3, .y = 420.0}, {.x = 8e3, .y = 2870.0}};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 2};
+    clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 0.0, CLOD_HOPPER_ARCH_ARNOLD);
+    const clod_hopper_design critical = clod_hopper_design_shape(&of.solid, &wish);
+    assert_true(!critical.sticks && critical.judged.sigma_1 == critical.state.sigma_1);
+    check_relative(critical.built, critical.outlet, 1e-15);
+    double last = critical.half_angle;
+    for (int k = 0; k < 2; k++) {
+        wish.outlet = k == 0 ? 2.0 * critical.outlet : 0.0;
+        wish.least = k == 1 ? 4.0 * critical.outlet : 0.0;
+        const clod_hopper_design at = clod_hopper_design_shape(&of.solid, &wish);
+        // phi_w falls with stress, so the hopper may be flatter, and its arch is a little wider
+        assert_true(at.half_angle > last + 1e-4);
+        last = at.half_angle;
+        assert_true(at.outlet > critical.outlet && at.outlet < 1.1 * critical.outlet);
+        check_close(at.built, fmax(wish.outlet, wish.least), 1e-15);
+        // sigma_1 = ff rho g B/H there: that of a design for this half angle alone
+        clod_hopper_wish given = wish;
+        given.half_angle = at.half_angle;
+        const clod_hopper_margin there = clod_hopper_margin_of(&of.solid, &given, at.built);
+        check_relative(there.state.sigma_1, at.judged.sigma_1, 1e-5);
+        check_close(clod_hopper_limit_at(&of.solid, there.state.sigma_1, wish.tolerance) -
+                        wish.margin,
+                    at.half_angle, 1e-6);
+    }
+    wish.outlet = wish.least = 0.5 * critical.outlet;
+    check_close(clod_hopper_design_shape(&of.solid, &wish).half_angle, critical.half_angle,
+                1e-9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -270,6 +352,8 @@ int main(void)
         cmocka_unit_test(what_else_may_come_out),
         cmocka_unit_test(a_wedge_wider_than_a_cone_may_be_is_not_known),
         cmocka_unit_test(results_follow_what_was_measured),
+        cmocka_unit_test(where_the_wall_holds_the_solid_it_decides),
+        cmocka_unit_test(the_half_angle_is_that_of_the_outlet_that_is_built),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -69,25 +69,85 @@ class Measured(hopper_case.Case):
         for text in said:
             self.assertIn("Yield locus at a preshear stress of 4.000 kPa: " + text, found)
 
+    def specimens(self, number=lambda seed, stress: seed, left_out=()):
+        """A design from the shear points of cases/lab-to-outlet, specimens numbered anew."""
+        with open(clod.source("cases/lab-to-outlet/shear.csv")) as file:
+            lines = [line for line in file.read().splitlines() if line and not line.startswith("#")]
+        rows = [line.split(",", 2) for line in lines[1:]]
+        self.write("shear.csv", "\n".join([lines[0]] + [
+            f"{number(int(seed), float(stress))},{stress},{rest}" for seed, stress, rest in rows
+            if (int(seed), float(stress)) not in left_out]) + "\n")
+        self.write("case.yaml", "flow_function: {shear_tests: [{points: shear.csv}]}\n"
+                   "wall_friction: {angle: 14 deg, error: 0.1 deg}\nwedge: {half_angle: 30 deg}\n")
+        return self.found()
+
+    def test_specimens_of_shear_tests_are_designed_alone_too(self):
+        """As from a file that has only their points; one that is not at all stresses has no design."""
+        found = self.specimens()
+        self.assertEqual([one["seed"] for one in found["specimens"]], [101, 102, 103])
+        self.assertTrue([text for text in found["warnings"] if text.startswith(
+            "Yield loci: the intervals rest on the scatter of 3 specimens")], found["warnings"])
+        told = self.hopper("case.yaml").stdout
+        for one in found["specimens"]:
+            others = [(seed, stress) for seed in (101, 102, 103) for stress in (0.6, 1.2, 2.4) if seed != one["seed"]]
+            alone = self.specimens(left_out=others)
+            self.assertEqual(alone["specimens"], [])
+            self.assertFalse([text for text in alone["warnings"] if "Student" in text])
+            for shape in ("cone", "wedge"):
+                for key in ("outlet_m", "half_angle_deg"):
+                    self.assertAlmostEqual(one[shape][key], alone[shape][key]["value"],
+                                           delta=1e-9 * alone[shape][key]["value"])
+                self.assertIn(f"{1e3 * one[shape]['outlet_m']:.1f} (seed {one['seed']})", " ".join(told.split()))
+        self.specimens()
+        self.hopper("case.yaml", "-o", "design")
+        with open(self.path("design.html")) as file:
+            page = file.read()
+        for shape in ("cone", "wedge"):
+            outlets = [f"{1e3 * one[shape]['outlet_m']:.1f}" for one in found["specimens"]]
+            self.assertIn(f"; each specimen alone: {', '.join(outlets)} mm</span>", page)
+        partly = self.specimens(left_out=[(102, 1.2)])
+        self.assertEqual([one["seed"] for one in partly["specimens"]], [101, 103])
+
+    def test_specimens_are_drawn_together(self):
+        """Their outlets are 42 to 43 mm; in another order at one stress they are 0 to 69 mm. So is the interval.
+        And the order at all stresses at once changes nothing but the random numbers."""
+        def width(found):
+            return 1e3 * (found["wedge"]["outlet_percentiles_m"][75] - found["wedge"]["outlet_percentiles_m"][25])
+
+        def outlets(found):
+            return [1e3 * one["wedge"]["outlet_m"] for one in found["specimens"]]
+
+        found = self.specimens()
+        self.assertLess(max(outlets(found)) - min(outlets(found)), 1.0)
+        turned = self.specimens(lambda seed, stress: 101 + (seed - 100) % 3 if stress == 2.4 else seed)
+        self.assertGreater(max(outlets(turned)) - min(outlets(turned)), 10.0)
+        self.assertGreater(width(turned), 3.0 * width(found))
+        self.assertAlmostEqual(width(self.specimens(lambda seed, stress: 300 - seed)), width(found), delta=0.4 * width(found))
+
     def test_a_wall_of_several_specimens(self):
         """Three specimens of one friction angle, whose side walls carried more or less: the angle
-        has no interval. Those of other friction have that of their mean: tan 0.20, 0.22, 0.24."""
+        has no interval. Those of other friction have that of their mean: tan 0.20, 0.22, 0.24. 5 % of
+        Student's t of 2 lie above 2.920, which 1000 samples tell to sqrt(0.05 x 0.95/1000)/0.0293 = 0.235."""
         rows = [(seed, stress, stress * part, stress * part * 0.2) for seed, part in
                 ((1, 0.96), (2, 0.91), (3, 0.87)) for stress in (20, 10, 5)]
         head = "seed,wall_stress [kPa],sigma_w [kPa],tau_w [kPa],steady [1]\n"
         wall = head + "".join(f"{a},{b},{c},{d},1\n" for a, b, c, d in rows)
         self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))
         self.write("wall.csv", wall)
-        cone = self.found("--set", "interval.samples=1000")["cone"]["phi_w_deg"]
+        cone = self.found()["cone"]["phi_w_deg"]
         for end in ("value", "low", "high"):
             self.assertAlmostEqual(cone[end], math.degrees(math.atan(0.2)), places=4)
         self.write("wall.csv", head + "".join(
             f"{a},{b},{c},{d * (0.9 + 0.1 * a)},1\n" for a, b, c, d in rows))
-        cone = self.found("--set", "interval.samples=1000")["cone"]["phi_w_deg"]
+        done = clod.run("hopper", "case.yaml", "--json", "--set", "interval.samples=1000", cwd=self.folder)
+        found = json.loads(done.stdout)
+        cone = found["cone"]["phi_w_deg"]
         tangents = [math.tan(math.radians(cone[end])) for end in ("low", "value", "high")]
         error = 0.02 / math.sqrt(3)
         for got, sign in zip(tangents, (-1, 0, 1)):
-            self.assertAlmostEqual(got, 0.22 + sign * 1.645 * error, delta=0.3 * error)
+            self.assertAlmostEqual(got, 0.22 + sign * 2.920 * error, delta=0.7 * error)
+        self.assertTrue([text for text in found["warnings"] if text.startswith(
+            "Wall yield locus: the intervals rest on the scatter of 3 specimens")], found["warnings"])
 
     def test_warnings_of_a_wall_yield_locus_are_handed_on(self):
         """clod locus and the hopper say the same of a bent one that was not steady."""

@@ -49,7 +49,7 @@ static void samples_without_an_outlet_are_left_out(void **state)
 static void the_wall_is_looked_up_at_its_own_stress(void **state)
 {
     (void)state;
-    clod_curve_point points[] = {{1.0, 1.0, 0, 0, NULL}, {3.0, 5.0, 0, 0, NULL}};
+    clod_curve_point points[] = {{.x = 1.0, .y = 1.0}, {.x = 3.0, .y = 5.0}};
     clod_solid solid = {0};
     double value[CLOD_SOLID_CURVES];
     for (int k = 0; k < CLOD_SOLID_CURVES; k++) {

@@ -25,12 +25,11 @@ static void adhesion_holds_the_solid_at_small_stresses(void **state)
 {
     (void)state;
     static made of;
-    static clod_curve_point wall[] = {{1000.0, 500.0, 0, 0, NULL},
-                                      {5000.0, 1700.0, 0, 0, NULL}};
+    static clod_curve_point wall[] = {{.x = 1000.0, .y = 500.0}, {.x = 5000.0, .y = 1700.0}};
     make_solid(&of, 40.0, 20.0, 1500.0);
     add_strength(&of, 2.0, 1.4);
     add_strength(&of, 10.0, 3.0);
-    of.solid.wall = (clod_curve){CLOD_CURVE_EXTENDED, wall, 2, 0, NULL};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 2};
     check_close(clod_solid_wall_angle(&of.solid, 2000.0), atan(800.0 / 2000.0), 1e-12);
     const clod_solid_state at = clod_solid_at(&of.solid, 4000.0);
     check_close(tan(at.phi_w) * at.sigma_w, 200.0 + 0.3 * at.sigma_w, 1e-5);

@@ -37,6 +37,8 @@ static void repeats_at_one_stress_are_averaged(void **state)
     check_close(curve.points[1].y, 30.5, 1e-12);
     check_close(curve.points[1].y_error, 0.5, 1e-12);
     assert_null(curve.points[1].spread);
+    assert_int_equal(curve.points[0].freedom, 0); // its error is the stated one
+    assert_int_equal(curve.points[1].freedom, 1); // two repeats
     clod_curve_fini(&curve);
 }
 

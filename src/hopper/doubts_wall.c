@@ -1,0 +1,91 @@
+#include <math.h>
+
+#include "hopper/doubts.h"
+
+#define DEGREE (M_PI / 180.0)
+#define STEEPER (1.0 * DEGREE) // of phi_w: by so much an extrapolation decides
+#define LOWER (0.1 * DEGREE)   // of a limit of mass flow
+
+/**
+ * Whether the wall friction angle of a state lies above that of the smallest measured stress since the
+ * line is followed below it.
+ */
+static bool is_extrapolated(const clod_curve *wall, const clod_solid_state *state)
+{
+    return wall->count > 1 && state->sigma_w < wall->points[0].x &&
+           state->phi_w > atan2(wall->points[0].y, wall->points[0].x) + STEEPER;
+}
+
+static void warn_intercept(clod_hopper *self, const char *name, const char *what,
+                           const clod_solid_state *state)
+{
+    const clod_curve *wall = &self->solid.wall;
+    const clod_curve_point *first = &wall->points[0];
+    clod_warning_list_add(
+        &self->warnings,
+        "%s: %s rests on the intercept of the wall yield locus, %.3f kPa: it makes a wall friction "
+        "angle of %.1f deg at a normal stress of %.3f kPa, below what was measured, where it is %.1f "
+        "deg at %.3f kPa. Measure the wall at smaller stresses.",
+        name, what, 1e-3 * clod_curve_at(wall, 0.0),
+        clod_solid_wall_angle(&self->solid, state->sigma_w) / DEGREE, 1e-3 * state->sigma_w,
+        atan2(first->y, first->x) / DEGREE, 1e-3 * first->x);
+}
+
+/** The measured stress above that of the outlet at which the limit of mass flow is lowest. */
+static double lowest(const clod_hopper *self, const clod_hopper_design *at, double *limit)
+{
+    double stress = 0.0;
+    const int curves[] = {CLOD_SOLID_STRENGTH, CLOD_SOLID_WALL};
+    for (int c = 0; c < 2; c++) {
+        const clod_curve *curve = &self->solid.curves[curves[c]];
+        for (size_t i = 0; i < curve->count && curve->count > 1; i++) {
+            const double sigma_1 = curve->points[i].x;
+            const double there =
+                sigma_1 > at->judged.sigma_1
+                    ? clod_hopper_limit_at(&self->solid, sigma_1, CLOD_RADIAL_TOLERANCE)
+                    : *limit;
+            if (there < *limit) {
+                *limit = there;
+                stress = sigma_1;
+            }
+        }
+    }
+    return stress;
+}
+
+/** Stresses grow upwards from the outlet; where the limit falls with them, the hopper is too flat. */
+static void warn_upwards(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const clod_hopper_design *at = &found->design;
+    double limit = fmin(at->limit, at->half_angle + found->wish.margin) - LOWER;
+    const double stress = lowest(self, at, &limit);
+    if (stress > 0.0) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: higher in the hopper, where sigma_1 is %.3f kPa, the limit of mass flow in a cone is "
+            "%.1f deg, less than at the outlet, %.1f deg. A hopper that reaches there needs a half "
+            "angle below %.1f deg.",
+            name, 1e-3 * stress, limit / DEGREE, at->limit / DEGREE,
+            fmax(0.0, limit - found->wish.margin) / DEGREE);
+    }
+}
+
+void clod_doubts_wall(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const clod_hopper_design *at = &found->design;
+    const clod_curve *wall = &self->solid.wall;
+    const bool mass_flow =
+        at->outcome == CLOD_HOPPER_FLOWS || at->outcome == CLOD_HOPPER_NO_ARCH;
+    if (at->sticks && is_extrapolated(wall, &at->state)) {
+        warn_intercept(self, name, "the critical outlet", &at->state);
+    }
+    if (at->outcome == CLOD_HOPPER_FUNNEL && is_extrapolated(wall, &at->judged)) {
+        warn_intercept(self, name, "funnel flow", &at->judged);
+    } else if (is_extrapolated(wall, &at->judged) &&
+               !(at->sticks && at->judged.sigma_1 == at->state.sigma_1)) {
+        warn_intercept(self, name, "the limit of mass flow", &at->judged);
+    }
+    if (mass_flow && at->limit > 0.0) {
+        warn_upwards(self, name, found);
+    }
+}

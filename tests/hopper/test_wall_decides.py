@@ -1,0 +1,140 @@
+"""Half angles are judged at the outlet that is built, and a wall yield locus followed far below its points is told.
+
+The solid flows freely: its flow function meets the flow factor at some 0.02 kPa, where a line through wall friction points of 1
+to 16 kPa, whose intercept is 0.05 +- 0.04 kPa, says nothing."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import hopper_case
+from hopper_case import CASE, FLOW, clod
+
+FREE = "3.1,0.11,0.01,42,38,1210\n6.2,0.20,0.01,42,37.5,1265\n12.3,0.39,0.01,42,37,1320\n"
+STRAIGHT = FREE.replace(",0.11,", ",0.10,").replace(",0.39,", ",0.40,")  # f_c/sigma_1 grows with sigma_1
+WALL = "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n1.0,0.44,0.02\n2.0,0.83,0.03\n4.0,1.60,0.05\n8.0,3.15,0.08\n16.0,6.20,0.15\n"
+BUILT = ("--set", "cone={half_angle: auto, outlet: 500 mm}")
+GIVEN = ("--set", "cone={half_angle: 15 deg, outlet: 500 mm}")
+INTERCEPT = "rests on the intercept of the wall yield locus"
+
+
+class WallDecides(hopper_case.Case):
+
+    def start(self, rows=FREE, wall="file: wall.csv", more=""):
+        self.write("flow.csv", FLOW + rows)
+        self.write("wall.csv", WALL)
+        self.write("case.yaml", f"flow_function: {{file: flow.csv}}\nwall_friction: {{{wall}}}\n" + more)
+
+    def limit(self, phi_w):
+        """Limit of mass flow for a wall friction angle that does not depend on stress."""
+        self.start(wall=f"angle: {phi_w} deg")
+        return self.found()["cone"]["limit_deg"]["value"]
+
+    def told(self, found, shape, words):
+        return [text for text in found["warnings"] if text.startswith(shape + ": ") and words in text]
+
+    def test_a_free_flowing_solid_is_mass_flow(self):
+        """In all four variants: by the line, below a given half angle, by an angle, and with f_c in proportion to sigma_1."""
+        for rows, wall, more in ((FREE, "file: wall.csv", BUILT), (FREE, "file: wall.csv", GIVEN),
+                                 (FREE, "angle: 22 deg, error: 1 deg", BUILT), (STRAIGHT, "file: wall.csv", BUILT)):
+            self.start(rows, wall)
+            cone = self.found(*more)["cone"]
+            self.assertIn(cone["outcome"], ("flows", "no_arch"))
+            self.assertLess(cone["planned_outlet_arching_share"], 0.02)
+            self.assertLess(cone["sample_shares"]["funnel_flow"], 0.02)
+            # rho g B/H over f_c at some 3.6 kPa, as the review had it for 22 deg: 20.7
+            self.assertAlmostEqual(cone["arching_margin"]["value"], 20.7, delta=1.5)
+            self.assertLess(cone["outlet_m"]["value"], 0.5)
+
+    def test_the_half_angle_is_that_at_the_outlet(self):
+        """Of the friction angle at the wall of the outlet, whatever the flow function says at small stresses: the same limit as
+        of a wall that has this angle at any stress. The wall there: tau_w from 1.60 kPa at 4 kPa and 0.83 at 2 kPa."""
+        angles = []
+        for rows in (FREE, STRAIGHT):
+            self.start(rows)
+            cone = self.found(*BUILT)["cone"]
+            at = cone["judged_at"]
+            self.assertEqual(at["outlet_m"], 0.5)
+            line = 830 + (at["sigma_w_Pa"] - 2000) * 0.385
+            self.assertAlmostEqual(at["phi_w_deg"], hopper_case.degrees(line, at["sigma_w_Pa"]), delta=1e-6)
+            angles.append(cone["half_angle_deg"]["value"])
+            self.assertAlmostEqual(cone["limit_deg"]["value"], self.limit(at["phi_w_deg"]), delta=1e-3)
+            self.assertAlmostEqual(angles[-1], cone["limit_deg"]["value"] - 3.0, delta=1e-9)
+        self.assertAlmostEqual(angles[0], angles[1], delta=0.05)
+
+    def test_the_critical_outlet_is_where_the_solid_begins_to_slide(self):
+        """Where the limit of mass flow has come down to the half angle; below it the solid sticks."""
+        self.start()
+        cone = self.found(*BUILT)["cone"]
+        self.assertTrue(cone["outlet_by_wall"])
+        there, angle = cone["phi_w_deg"]["value"], cone["half_angle_deg"]["value"]
+        self.assertAlmostEqual(self.limit(there), angle, delta=5e-3)
+        for times, sticks in ((0.99, True), (1.01, False)):
+            self.start()
+            other = self.found("--set", f"cone={{half_angle: {angle} deg, outlet: {1e3 * times * cone['outlet_m']['value']} mm}}")
+            self.assertEqual(other["cone"]["arching_margin"]["value"] is None, sticks)
+            said = self.told(other, "Cone", "the solid does not slide along the wall.")
+            self.assertEqual(len(said), sticks, other["warnings"])
+
+    def test_without_an_outlet_the_smallest_measured_stress_is_taken(self):
+        self.start()
+        found = self.found()
+        for shape in ("cone", "wedge"):
+            self.assertEqual(found[shape]["outcome"], "flows")
+            self.assertAlmostEqual(found[shape]["judged_at"]["sigma_1_Pa"], 3100.0, delta=1e-6)
+
+    def test_an_intercept_that_decides_is_told(self):
+        """A slot of 48 mm has some 0.5 kPa at its wall, half of what was measured; a cone of 500 mm has 2.8 kPa."""
+        self.start(more="largest_particle: 12 mm\n")
+        found = self.found(*BUILT)
+        self.assertEqual(len(self.told(found, "Wedge", "the limit of mass flow " + INTERCEPT)), 1, found["warnings"])
+        self.assertEqual(len(self.told(found, "Wedge", "the critical outlet " + INTERCEPT)), 1)
+        self.assertEqual(self.told(found, "Cone", "the limit of mass flow " + INTERCEPT), [])
+        self.start(wall="angle: 22 deg", more="largest_particle: 12 mm\n")
+        self.assertNotIn(INTERCEPT, " ".join(self.found(*BUILT)["warnings"]))
+
+    def test_a_limit_that_falls_upwards_is_told(self):
+        """A wall that gets rougher with stress: 20 deg at the outlet, more above."""
+        self.start()
+        self.write("wall.csv", "sigma_w [kPa],tau_w [kPa]\n1,0.36\n4,1.46\n16,8.0\n")
+        found = self.found(*BUILT)
+        said = self.told(found, "Cone", "higher in the hopper, where sigma_1 is 16.000 kPa")
+        self.assertEqual(len(said), 1, found["warnings"])
+        self.start()
+        self.assertEqual(self.told(self.found(*BUILT), "Cone", "higher in the hopper"), [])
+
+    def test_flow_functions_of_no_solid(self):
+        def warned(rows, more=(), case=CASE):
+            hopper_case.Case.start(self, case, rows)
+            return " ".join(self.found(*more)["warnings"])
+
+        usual = "2,1.4,0.05,48,40,1250\n4,1.9,0.05,47,40,1300\n8,2.9,0.08,46,39,1350\n"
+        told = warned("3.1,0.00145,0,48,38,1210\n6.2,0.0022,0,47,38,1265\n")  # Pa in place of kPa: 3100/1.45 = 2138
+        self.assertIn("f_c is 0.00145 kPa at sigma_1 3.1 kPa, ffc 2138", told)
+        self.assertIn("Pa under a header in kPa", told)
+        self.assertNotIn("ffc", warned(FREE))  # 28 to 32
+        told = warned("3,3,0,48,40,1250\n6,2,0,47,40,1300\n12,1,0,46,39,1350\n")
+        self.assertIn("f_c falls from 3 kPa at sigma_1 3 kPa to 2 kPa at 6 kPa", told)
+        self.assertIn("f_c falls from 2 kPa at sigma_1 6 kPa to 1 kPa at 12 kPa", told)
+        self.assertNotIn("falls", warned("2,1.4,0.05,48,40,1250\n4,1.35,0.05,47,40,1300\n8,2.9,0.08,46,39,1350\n"))
+        silo = CASE + "silo: {diameter: 0.1 m, height: 1 m}\n"
+        told = warned(usual, ("--set", "cone.outlet=500 mm"), silo)
+        self.assertIn("Cone: the outlet that is given, 500 mm, is wider than the silo, 100 mm", told)
+        self.assertRegex(warned(usual, (), silo), "Cone: the critical outlet, [0-9.]+ mm, is wider than the silo, 100 mm")
+        self.assertNotIn("wider than the silo, ", warned(usual, ("--set", "cone.outlet=500 mm"), silo.replace("0.1", "3")))
+
+    def test_a_page_without_a_rathole_says_why(self):
+        """phi_t of 25 deg is outside 30 to 70 deg, where Jenike's G is known."""
+        self.start(FREE.replace(",38,", ",25,").replace("37.5", "25").replace(",37,", ",25,"),
+                   more="silo: {diameter: 3 m, height: 8 m}\n")
+        self.hopper("case.yaml", "-o", "design")
+        with open(self.path("design.html")) as file:
+            page = file.read()
+        part = page[page.index("Rathole, if it is funnel flow"):page.index('id="warnings"')]
+        self.assertEqual(part.count('class="card"'), 0)
+        for when in ("emptying", "after filling"):
+            self.assertIn(f"<p>No rathole diameter, {when}: ", part)
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
