@@ -1,4 +1,4 @@
-"""The calibrations, the shear test and the rusty chutes of docs/howto/from-lab-report-to-outlet.md, with what they print: some eight
+"""The calibrations, the shear test and the rusty chutes of docs/howto/from-lab-report-to-outlet.md, with what they print: some ten
 minutes of processor time."""
 
 import os
@@ -25,8 +25,9 @@ class Page(page.Case):
     def test_dear_runs_print_what_the_page_shows(self):
         self.assertEqual(clod.run("new", "lab-to-outlet", "hopper.yaml", cwd=self.folder).returncode, 0)
         shutil.copy(CARD, self.folder)
-        runs = [step for step in page.steps(PAGE) for slow in SLOW if shlex.split(step[0])[:len(slow)] == slow]
-        self.assertEqual(len(runs), len(SLOW))
+        begun = [slow for step in page.steps(PAGE) for slow in SLOW if shlex.split(step[0])[:len(slow)] == slow]
+        self.assertTrue(all(slow in begun for slow in SLOW), begun)
+        runs = [step for step in page.steps(PAGE) if any(shlex.split(step[0])[:len(slow)] == slow for slow in SLOW)]
         for command, text in runs:
             self.follow(command, text)
 
