@@ -27,7 +27,7 @@ bool clod_draw_init(clod_draw *self, const clod_solid *measured, uint64_t seed)
         }
     }
     size_t count = 1;
-    for (int t = 0; t < CLOD_CURVE_TESTS; t++) {
+    for (size_t t = 0; t < CLOD_CURVE_TESTS; t++) {
         count += self->specimens[t] + self->sets[t];
     }
     self->numbers = clod_memory_alloc(count, sizeof *self->numbers);
@@ -45,10 +45,10 @@ static double normal(const clod_draw *self, uint64_t item, uint64_t draw)
     return clod_random_normal(self->seed, CLOD_RANDOM_MEASURED, item, draw);
 }
 
-static double *numbers_of(const clod_draw *self, int test)
+static double *numbers_of(const clod_draw *self, size_t test)
 {
     double *at = self->numbers;
-    for (int t = 0; t < test; t++) {
+    for (size_t t = 0; t < test; t++) {
         at += self->specimens[t] + self->sets[t];
     }
     return at;
@@ -68,7 +68,7 @@ static double scale_of(const clod_draw *self, uint64_t item, uint64_t first, siz
 /** The numbers of all specimens, and the scales of their sets. */
 static void draw_specimens(clod_draw *self, uint64_t item)
 {
-    for (int t = 0; t < CLOD_CURVE_TESTS; t++) {
+    for (size_t t = 0; t < CLOD_CURVE_TESTS; t++) {
         double *numbers = numbers_of(self, t);
         for (size_t s = 0; s < self->specimens[t]; s++) {
             numbers[s] = normal(self, item, OF_TEST(t) + 2 * s);

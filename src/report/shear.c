@@ -99,7 +99,7 @@ size_t clod_shear_list(const clod_shear_loci *sets, size_t count,
 
 static void put_table(FILE *out, const clod_shear_loci *sets, size_t count)
 {
-    clod_result_of of[CLOD_SHEAR_MOST] = {{NULL}};
+    clod_result_of of[CLOD_SHEAR_MOST] = {{.name = NULL}};
     const size_t used = clod_shear_list(sets, count, of);
     clod_result_table_put(out, CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, of, used);
     put_notes(out, sets, count);

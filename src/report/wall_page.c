@@ -202,7 +202,7 @@ static bool put_curves(clod_sheet *sheet, const clod_run_files *run, clod_status
 bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
                         clod_status *status)
 {
-    locus loci[2] = {{NULL}};
+    locus loci[2] = {{.of = NULL}};
     size_t count = 0;
     const json_t *own = json_object_get(run->summary, "wall_locus");
     if (json_is_object(own)) {
