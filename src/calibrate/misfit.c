@@ -133,15 +133,17 @@ static void look(const clod_misfit *self, const group *of, const clod_surrogate_
 /** Logarithm of the mean density; densities become that of each node over the largest. */
 static double mean_of(double *density, size_t nodes)
 {
-    double largest = density[0], sum = 0.0;
+    double largest = density[0];
     for (size_t k = 1; k < nodes; k++) {
         largest = fmax(largest, density[k]);
     }
-    for (size_t k = 0; k < nodes; k++) {
+    density[0] = exp(density[0] - largest);
+    double sum = density[0];
+    for (size_t k = 1; k < nodes; k++) {
         density[k] = exp(density[k] - largest);
-        sum += density[k] / (double)nodes;
+        sum += density[k];
     }
-    return largest + log(sum);
+    return largest + log(sum / (double)nodes);
 }
 
 /** Room of the nodes behind that of matrix and vector. */

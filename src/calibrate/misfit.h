@@ -28,7 +28,7 @@ typedef struct clod_misfit_runs {
  * @return      owned (clod_misfit_destroy), or NULL without memory
  * Errors  none.   Threads  safe.
  * Source  docs/theory/calibration.md, "Errors in common" and "Errors that are not known".
- * Test    tests/calibrate/test_misfit.c, test_coverage.c
+ * Test    tests/calibrate/test_misfit.c, test_coverage_specimens.c
  */
 clod_misfit *clod_misfit_create(const clod_misfit_runs *runs);
 

@@ -150,36 +150,40 @@ typedef enum flow { SLIDES, STICKS, UNSETTLED } flow;
 
 /**
  * The state in flow at an outlet below a given half angle, by rounds from a first stress. They may
- * jump down to where the solid sticks, past a state in which it slides; bounds lead back.
+ * jump to where the solid sticks, past a state in which it slides; bounds lead back. A wall with
+ * adhesion sticks at small stresses, one whose friction angle grows with stress at large ones.
  */
 static flow flow_below(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
                        double first, clod_hopper_design *at)
 {
     search in = {first, 1e-9, 1e12};
     flow how = UNSETTLED;
-    bool slid = false;
+    double slid = 0.0; // Pa: the last stress at which it did
+    bool above = false;
     for (int round = 0; round < ROUNDS; round++) {
         const double before = in.sigma_1;
         double next = 0.0;
         how = shape_at(solid, wish, before, at) ? SLIDES : STICKS;
         if (how == SLIDES) {
-            slid = true;
+            slid = before;
             next = at->flow_factor * at->state.rho * CLOD_HOPPER_GRAVITY * outlet / at->arch;
             if (fabs(next - before) <= CLOSE * wish->tolerance * before) {
                 return SLIDES;
             }
         }
-        if (!slid) {
+        if (slid == 0.0) {
             return STICKS;
         }
-        if (how == STICKS || next > before) {
+        above = above || (how == STICKS && before > slid);
+        if (how == STICKS ? before < slid : next > before) {
             in.low = before;
         } else {
             in.high = before;
         }
         in.sigma_1 = next > in.low && next < in.high ? next : sqrt(in.low * in.high);
     }
-    return how == STICKS || !shape_at(solid, wish, in.low, at) ? STICKS : UNSETTLED;
+    return how == STICKS || !shape_at(solid, wish, above ? in.high : in.low, at) ? STICKS
+                                                                                 : UNSETTLED;
 }
 
 /** The same below the half angle of that state: a limit costs far more than a round, and the stress
@@ -191,22 +195,32 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
         return flow_below(solid, wish, outlet, first, at);
     }
     clod_hopper_wish fixed = *wish;
-    double sigma_1 = first;
+    search in = {first, 1e-9, 1e12};
     fixed.half_angle = guess_angle(solid, wish);
     if (fixed.half_angle > 0.0 && flow_below(solid, &fixed, outlet, first, at) == SLIDES) {
-        sigma_1 = at->state.sigma_1; // a better start
+        in.sigma_1 = at->state.sigma_1; // a better start
     }
     for (int round = 0; round < ROUNDS; round++) {
-        if (!shape_at(solid, wish, sigma_1, at)) {
+        const double before = in.sigma_1;
+        if (!shape_at(solid, wish, before, at)) {
             return STICKS;
         }
         fixed.half_angle = at->half_angle;
-        const flow how = flow_below(solid, &fixed, outlet, sigma_1, at);
-        const double before = sigma_1;
-        sigma_1 = at->state.sigma_1;
-        if (how != SLIDES || fabs(sigma_1 - before) <= CLOSE * wish->tolerance * before) {
+        const flow how = flow_below(solid, &fixed, outlet, before, at);
+        const double next = at->state.sigma_1;
+        if (how == SLIDES && fabs(next - before) <= CLOSE * wish->tolerance * before) {
+            return SLIDES;
+        }
+        if (how == UNSETTLED || (how == STICKS && next <= before)) {
             return how;
         }
+        if (next >
+            before) { // where it sticks above, a steeper hopper of a larger stress slides
+            in.low = before;
+        } else {
+            in.high = before;
+        }
+        in.sigma_1 = next > in.low && next < in.high ? next : sqrt(in.low * in.high);
     }
     return UNSETTLED;
 }
@@ -340,8 +354,9 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
         return design_for(solid, wish, &at, 0.0);
     }
     judge(&self, &self, 0.0);
-    if (how == STICKS && self.outlet <= wish->outlet) {
-        at.outcome = CLOD_HOPPER_FUNNEL; // slides at the critical outlet, but not at this one
+    if (wish->outlet > 0.0 && self.outlet <= wish->outlet) {
+        // slides at the critical outlet, but not at this one, or no state was found there
+        at.outcome = how == STICKS ? CLOD_HOPPER_FUNNEL : CLOD_HOPPER_UNSETTLED;
         judge(&at, &at, 0.0);
         return at;
     }

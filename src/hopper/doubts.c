@@ -267,8 +267,8 @@ static void warn_no_margin(clod_hopper *self, const char *name, const clod_hoppe
     } else if (at.sticks) {
         snprintf(
             why, sizeof why,
-            "at the low stresses of so small an outlet, sigma_1 of %.3f kPa, the solid does "
-            "not slide along a wall of %.1f deg, and so does not flow",
+            "at its stresses, sigma_1 of %.3f kPa, the solid does not slide along a wall of %.1f "
+            "deg, and so does not flow",
             1e-3 * at.state.sigma_1, built.half_angle / DEGREE);
     } else {
         snprintf(

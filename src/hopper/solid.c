@@ -9,7 +9,14 @@
 
 double clod_solid_wall_angle(const clod_solid *self, double sigma_w)
 {
-    return atan2(clod_curve_at(&self->wall, sigma_w), sigma_w);
+    const clod_curve *wall = &self->wall;
+    const double angle = atan2(clod_curve_at(wall, sigma_w), sigma_w);
+    if (wall->count < 2 || sigma_w >= wall->points[0].x) {
+        return angle;
+    }
+    // a line with an intercept below 0 would promise a wall without friction where none was measured
+    const double least = wall->points[0].x;
+    return fmax(angle, atan2(clod_curve_at(wall, least), least));
 }
 
 /**

@@ -42,8 +42,8 @@ class WallDecides(hopper_case.Case):
             self.assertIn(cone["outcome"], ("flows", "no_arch"))
             self.assertLess(cone["planned_outlet_arching_share"], 0.02)
             self.assertLess(cone["sample_shares"]["funnel_flow"], 0.02)
-            # rho g B/H over f_c at some 3.6 kPa, as the review had it for 22 deg: 20.7
-            self.assertAlmostEqual(cone["arching_margin"]["value"], 20.7, delta=1.5)
+            # rho g B/H = 1225 9.81 0.5/2.32 = 2.59 kPa, over f_c at some 3.6 kPa, 0.1245 kPa
+            self.assertAlmostEqual(cone["arching_margin"]["value"], 20.8, delta=1.5)
             self.assertLess(cone["outlet_m"]["value"], 0.5)
 
     def test_the_half_angle_is_that_at_the_outlet(self):
@@ -102,6 +102,18 @@ class WallDecides(hopper_case.Case):
         self.assertEqual(len(said), 1, found["warnings"])
         self.start()
         self.assertEqual(self.told(self.found(*BUILT), "Cone", "higher in the hopper"), [])
+
+    def test_a_line_that_meets_the_axis_below_zero(self):
+        """Its intercept is -0.06 kPa: below 1 kPa the wall has the angle that it has there, and not none. An outlet whose wall
+        feels less has the half angle of a wall with that angle at any stress, and so has a hopper without one."""
+        least = self.limit(hopper_case.degrees(350, 1000))
+        for built in (("--set", "cone={half_angle: auto, outlet: 20 mm}"),
+                      ("--set", "cone={half_angle: auto, outlet: 100 mm}"), ()):
+            self.start()
+            self.write("wall.csv", "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n1,0.35,0.03\n2,0.76,0.03\n4,1.57,0.05\n8,3.15,0.08\n")
+            cone = self.found(*built)["cone"]
+            self.assertIn(cone["outcome"], ("flows", "no_arch"), built)
+            self.assertAlmostEqual(cone["limit_deg"]["value"], least, delta=0.02)
 
     def test_flow_functions_of_no_solid(self):
         def warned(rows, more=(), case=CASE):

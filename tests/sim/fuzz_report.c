@@ -37,6 +37,7 @@ static void make_valid(clod_check_report *report, const uint8_t flags[4])
     report->rayleigh_imposed = (flags[2] & 4) != 0;
     report->busy = (flags[2] & 8) != 0;
     report->of_ranks.ranks = (flags[2] & 32) != 0 ? 4 : 0;
+    report->plate_ridges = (flags[2] & 64) != 0 ? 39 : 0;
     report->soften = (flags[2] & 16) != 0 ? 100.0 : 0.0;
     report->warning_count = flags[3] % (CLOD_CHECK_WARNINGS + 1);
     report->note_count = flags[3] % (CLOD_CHECK_NOTES + 1);
