@@ -20,7 +20,7 @@ static int power_of(double number, int digits)
     while (*at != 'e') {
         at++;
     }
-    return atoi(at + 1);
+    return (int)strtol(at + 1, NULL, 10);
 }
 
 /** Whether there is an error that a reader would look at. */
