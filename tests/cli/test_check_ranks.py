@@ -38,9 +38,11 @@ class CheckRanks(clod.Case):
         self.assertEqual((told["ranks"], told["ranks_groups"], told["threads"]), (4, 1, 1))
         self.assertEqual((told["ranks_grains_each"], told["ranks_ghosts_each"]), (25, 75))
         # 25 rows, 75 ghosts at 0.7, calls of 2 messages after the first and a meeting, a merge of
-        # 2 rounds: docs/scaling.md
+        # 2 rounds, 0.1 us longer where they leave a machine of fewer processors: docs/scaling.md
         row = 1.3 / told["rate_one_thread_per_s"]
-        step = (25 + 0.7 * 75) * row + (2 * 2 * 0.66e-6 + 1.2e-6) + 2 * 1.5e-6
+        between = {1: 2, 2: 1, 3: 1}.get(told["processors"], 0)
+        merge = (2 - between) * 1.5e-6 + between * 1.6e-6
+        step = (25 + 0.7 * 75) * row + (2 * 2 * 0.66e-6 + 1.2e-6) + merge
         # of two digits: 1.0e-4 is 0.95e-4 to 1.05e-4
         half = 0.05 * 10 ** math.floor(math.log10(told["ranks_step_s"]))
         self.assertLess(abs(told["ranks_step_s"] - step), 1.0001 * half)
