@@ -7,6 +7,7 @@
 #define STRIPS 256 ///< across a ridge, of the sum of its volume
 #define PAUSE 0.05 ///< s at full speed: ramp of the load and looks at it, more than they take
 #define SLEW 3.0   ///< m/s2 with which the plate comes to its speed (tester/wall_shear.c)
+#define MOST 1e15  ///< ridges that are counted: a spacing of next to nothing has more
 
 /** Radius at which a uniform shear stress has its torque [m]. */
 static double mean_radius(const clod_case_wall_friction *test)
@@ -58,7 +59,7 @@ static void lay_in_ring(clod_wall_ridges *self, const clod_case_wall_friction *t
 {
     const double ri = clod_wall_cell_inner(test), ro = test->outer_radius;
     const double round_way = 2.0 * M_PI * mean_radius(test);
-    self->count = (int64_t)fmax(3.0, round(round_way / self->spacing));
+    self->count = (int64_t)fmin(MOST, fmax(3.0, round(round_way / self->spacing)));
     self->spacing = round_way / (double)self->count;
     const double half = M_PI / (double)self->count;
     self->room = 2.0 * ri * sin(half);
@@ -71,7 +72,7 @@ static void lay_in_ring(clod_wall_ridges *self, const clod_case_wall_friction *t
 static void lay_straight(clod_wall_ridges *self, const clod_case_wall_friction *test)
 {
     const double reach = test->outer_radius + self->spacing;
-    self->count = (int64_t)ceil((2.0 * reach + reserve(test)) / self->spacing);
+    self->count = (int64_t)fmin(MOST, ceil((2.0 * reach + reserve(test)) / self->spacing));
     self->room = self->spacing;
     self->width = self->width > 0.0 ? self->width : self->room;
     self->to = reach;
