@@ -14,7 +14,8 @@
 bool clod_file_is_there(const char *path, bool *there, clod_status *status)
 {
     *there = access(path, F_OK) == 0;
-    return *there || errno == ENOENT || clod_file_fail(status, "look at", path, errno);
+    return *there || errno == ENOENT || errno == ENOTDIR || // a file where a folder would be
+           clod_file_fail(status, "look at", path, errno);
 }
 
 bool clod_file_is_full(int error)

@@ -278,7 +278,7 @@ bool clod_folder_space(const char *path, double *bytes, clod_status *status)
         if (errno == EINTR) {
             continue;
         }
-        if (errno != ENOENT) {
+        if (errno != ENOENT && errno != ENOTDIR) { // one is a file where a folder would be
             return clod_file_fail(status, "look at", parent, errno);
         }
         if (slash == NULL && strcmp(parent, ".") == 0) {

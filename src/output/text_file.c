@@ -28,7 +28,8 @@ static bool write_to(const char *path, const char *text, clod_status *status)
 static bool look_at(const char *path, struct stat *info, bool *there, clod_status *status)
 {
     *there = stat(path, info) == 0;
-    return *there || errno == ENOENT || clod_file_fail(status, "look at", path, errno);
+    return *there || errno == ENOENT || errno == ENOTDIR || // a file where a folder would be
+           clod_file_fail(status, "look at", path, errno);
 }
 
 bool clod_text_file_write(const char *path, const char *input, const char *text,

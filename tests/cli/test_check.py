@@ -27,6 +27,16 @@ class Check(clod.Case):
             said = self.refused("check", case, "time.step=1 ms", words, "at most", "write auto")
             self.assertEqual(said, self.refused("run", case, "time.step=1 ms", words))
 
+    def test_a_file_where_the_results_would_be(self):
+        """That is for clod run to refuse: what a case costs can be told."""
+        with open(self.path("run"), "w"):
+            pass
+        done = clod.run("check", BOX, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = clod.run("run", BOX, cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("run is there and is not a folder", done.stderr)
+
     def test_key_without_effect(self):
         words = ("--set output.series_interval=1 ms: output.series_interval: a tester "
                  "writes a row of its series whenever it looks at the walls; remove this key")
