@@ -1,6 +1,7 @@
 """A disk that is full, or a file at its size limit: a clear error, nothing lost, and on it goes."""
 
 import os
+import re
 import resource
 import subprocess
 import sys
@@ -66,7 +67,8 @@ class Disk(clod.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         text = f"and there is one every 0.02 s: the file system of {folder} is slow"
         self.assertEqual(done.stderr.count(text), 1, done.stderr)
-        self.assertRegex(done.stderr, r"warning: run: a checkpoint took 2\.?\d* s to write")
+        took = re.search(r"warning: run: a checkpoint took ([\d.]+) s to write", done.stderr)
+        self.assertGreaterEqual(float(took[1]), 2.0)  # and what the disk takes by itself
         self.assert_same_end(whole, folder, ["run"])
 
     @clod.quick_only
