@@ -37,19 +37,35 @@ double clod_correlate(const clod_correlate_rows *self, double *r)
         for (size_t b = 0; b < a; b++) {
             const sums of = add_up(self, a, b);
             const size_t lost = self->lost > 0 ? self->lost : of.blocks;
-            const bool told = of.rows > lost && of.own > 0.0 && of.other > 0.0;
-            least = fmin(least, told ? (double)(of.rows - lost) : 0.0);
-            r[a * n + b] = told ? of.both / sqrt(of.own * of.other) : 0.0;
+            const double found = of.both / sqrt(of.own * of.other);
+            const bool told = of.rows > lost && isfinite(found);
+            least = told ? fmin(least, (double)(of.rows - lost)) : least;
+            r[a * n + b] = told ? found : (double)NAN;
             r[b * n + a] = r[a * n + b];
         }
     }
-    if (n == 1) {
-        return 0.0;
+    if (isfinite(least)) {
+        return least;
     }
-    for (size_t k = 0; k < n * n && least <= 0.0; k++) {
+    for (size_t k = 0; k < n * n; k++) {
         r[k] = k % (n + 1) == 0 ? 1.0 : 0.0;
     }
-    return least;
+    return 0.0;
+}
+
+void clod_correlate_complete(double *r, const double *other, size_t count)
+{
+    double sum = 0.0, told = 0.0;
+    for (size_t k = 0; k < count * count; k++) {
+        const bool known = k % (count + 1) != 0 && isfinite(r[k]);
+        sum += known ? r[k] : 0.0;
+        told += known ? 1.0 : 0.0;
+    }
+    for (size_t k = 0; k < count * count; k++) {
+        if (!isfinite(r[k])) {
+            r[k] = other != NULL ? other[k] : fmax(0.0, sum / told);
+        }
+    }
 }
 
 double clod_correlate_join(double *r, double degrees, const double *other, double more,

@@ -18,11 +18,16 @@ typedef struct clod_correlate_rows {
 /**
  * Correlations over the rows that both numbers have.
  *
- * @param r  [out] [count][count], symmetric, 1 on the diagonal
- * @return   degrees of freedom of the pair with the fewest; 0: some pair tells nothing, and r is 1
+ * @param r  [out] [count][count], symmetric, 1 on the diagonal; NAN where no rows tell a pair, if they tell
+ *           another
+ * @return   degrees of freedom of the told pair with the fewest; 0: no pair is told, and r is 1
  * Errors  none.   Threads  pure.   Test  tests/calibrate/test_correlate.c
  */
 double clod_correlate(const clod_correlate_rows *self, double *r);
+
+/** Give pairs that are not told their correlations of `other`, or, without it (NULL), the mean of those that are
+ *  told, not below 0. */
+void clod_correlate_complete(double *r, const double *other, size_t count);
 
 /** Make r the mean of it, with `degrees`, and another, with `more`. @return sum of both */
 double clod_correlate_join(double *r, double degrees, const double *other, double more,

@@ -111,14 +111,35 @@ static void fill_runs(const clod_misfit_runs *runs, group *self, space *at)
                               .block = all,
                               .lost = coefficients(runs, self)};
     take_residuals(runs, self, at->rows);
-    settle(self->runs, self->count, clod_correlate(&of, self->runs), at->test);
+    const double degrees = clod_correlate(&of, self->runs);
+    clod_correlate_complete(self->runs, NULL, self->count);
+    settle(self->runs, self->count, degrees, at->test);
     take_packings(runs, self, at->rows);
     of.block = (size_t)runs->plan->seeds;
     of.lost = 0;
     at->packed_degrees = clod_correlate(&of, at->packed);
+    clod_correlate_complete(at->packed, NULL, self->count);
 }
 
 // ---- the laboratory
+
+/** Specimens of a point whose numbers are known. */
+static size_t kept_of(const clod_plan_repeats *self)
+{
+    return self->count < CLOD_PLAN_SPECIMENS ? self->count : CLOD_PLAN_SPECIMENS;
+}
+
+/** Specimens that two points have in common, over the root of the product of how many each has. */
+static double in_common(const clod_plan_repeats *a, const clod_plan_repeats *b)
+{
+    double common = 0.0;
+    for (size_t k = 0; k < kept_of(a); k++) {
+        for (size_t m = 0; m < kept_of(b); m++) {
+            common += a->differences[k].specimen == b->differences[m].specimen ? 1.0 : 0.0;
+        }
+    }
+    return common > 0.0 ? common / sqrt((double)kept_of(a) * (double)kept_of(b)) : 0.0;
+}
 
 /** The row of a specimen among those taken so far, or a new one. */
 static size_t row_of(int64_t specimen, int64_t *specimens, size_t *count)
@@ -146,7 +167,8 @@ static size_t take_specimens(const clod_plan *plan, const group *self, const siz
     }
     for (size_t k = 0; k < count; k++) {
         const clod_plan_repeats *of = &target_of(plan, self, members[k])->repeats;
-        for (size_t s = 0; s < of->count && s < CLOD_PLAN_SPECIMENS; s++) {
+        for (size_t s = 0; s < kept_of(of) && of->count > 1;
+             s++) { // one alone differs from none
             const size_t row = row_of(of->differences[s].specimen, specimens, &found);
             if (isfinite(rows[row * count + k])) {
                 return 0;
@@ -170,7 +192,8 @@ static size_t find_members(const clod_plan *plan, const group *self, size_t tabl
     return count;
 }
 
-/** Correlations of the targets of one table, whose specimens recur. */
+/** Correlations of the targets of one table, whose specimens recur: those of one specimen's numbers, times the
+ *  specimens that two points have in common. */
 static void fill_table(const clod_plan *plan, group *self, size_t *members, size_t count,
                        int64_t *specimens, space *at)
 {
@@ -187,31 +210,52 @@ static void fill_table(const clod_plan *plan, group *self, size_t *members, size
     for (size_t k = 0; k < count * count; k++) {
         at->other[k] = at->packed[members[k / count] * n + members[k % count]];
     }
+    clod_correlate_complete(at->part, at->packed_degrees > 0.0 ? at->other : NULL, count);
     degrees = clod_correlate_join(at->part, degrees, at->other,
                                   fmin(at->packed_degrees, MOST_FROM_PACKINGS), count);
     settle(at->part, count, degrees, at->test);
     for (size_t k = 0; k < count * count; k++) {
-        self->laboratory[members[k / count] * n + members[k % count]] = at->part[k];
+        const size_t a = members[k / count], b = members[k % count];
+        const double common =
+            in_common(&target_of(plan, self, a)->repeats, &target_of(plan, self, b)->repeats);
+        self->laboratory[a * n + b] = a == b ? 1.0 : common * at->part[k];
     }
 }
 
-/** Degrees of freedom of the errors of one entry of the plan, which were pooled. */
+/** Correlation of two estimates of variances, as a root: so much of it comes of specimens in common. */
+static double of_variances(const clod_plan *plan, const group *self, size_t a, size_t b)
+{
+    const double common =
+        in_common(&target_of(plan, self, a)->repeats, &target_of(plan, self, b)->repeats);
+    return a == b         ? 1.0
+           : common > 0.0 ? self->laboratory[a * self->count + b] / sqrt(common)
+                          : 0.0;
+}
+
+/** Degrees of freedom of the errors of one entry of the plan: of all its points with repeats, where they were
+ *  pooled, or of the one with the fewest. */
 static double degrees_of(const clod_plan *plan, const group *self, size_t entry, space *at,
                          size_t *members)
 {
     size_t count = 0, fewest = 0;
+    bool estimate = false, pooled = true;
     for (size_t k = 0; k < self->count; k++) {
         const clod_plan_target *of = target_of(plan, self, k);
-        if (of->entry == entry && of->repeats.estimate) {
+        if (of->entry == entry && of->repeats.count > 1) {
             fewest = count == 0 || of->repeats.count < fewest ? of->repeats.count : fewest;
             members[count++] = k;
+            pooled = pooled && of->repeats.pooled;
         }
+        estimate = estimate || (of->entry == entry && of->repeats.estimate);
+    }
+    if (!estimate || count == 0) {
+        return (double)INFINITY;
     }
     for (size_t k = 0; k < count * count; k++) {
-        at->part[k] = self->laboratory[members[k / count] * self->count + members[k % count]];
+        at->part[k] = of_variances(plan, self, members[k / count], members[k % count]);
     }
-    return count == 0 ? (double)INFINITY
-                      : clod_correlate_pooled(at->part, count, (double)fewest - 1.0);
+    return pooled ? clod_correlate_pooled(at->part, count, (double)fewest - 1.0)
+                  : (double)fewest - 1.0;
 }
 
 /** Equally likely variances over the estimated one: nu/chi-square. */

@@ -64,9 +64,10 @@ typedef struct clod_plan_difference {
 
 /** The specimens of a measured point. */
 typedef struct clod_plan_repeats {
-    size_t count; ///< 0 or 1: the table has no repeats
+    size_t count; ///< 0: the table does not tell; 1: there are no repeats
     bool
-        estimate; ///< the error is estimated from how they scatter: it is not known, but in the mean
+        estimate; ///< the error is estimated from how specimens scatter: it is not known, but in the mean
+    bool pooled; ///< from those of all points of the table, not of this point alone
     clod_plan_difference differences[CLOD_PLAN_SPECIMENS]; ///< [count], the first of them
 } clod_plan_repeats;
 

@@ -77,7 +77,7 @@ static sample mean_of(const sample *points, size_t count, double slope, double *
     }
     mean.value = clod_mean_of(values, count, stated).value;
     mean.error = known ? sqrt(stated) / (double)count : 0.0;
-    mean.repeats.count = count > 1 ? count : 0;
+    mean.repeats.count = count;
     for (size_t k = 0; k < mean.repeats.count && k < CLOD_PLAN_SPECIMENS; k++) {
         mean.repeats.differences[k] =
             (clod_plan_difference){points[k].specimen, values[k] - mean.value};
@@ -86,14 +86,15 @@ static sample mean_of(const sample *points, size_t count, double slope, double *
     return mean;
 }
 
-/** Errors from the scatter of all means together, where that is larger than what is stated. */
+/** Errors from the scatter of all points together, where that is larger than what is stated. A point of one
+ *  specimen scatters as the others do. */
 static void pool(clod_plan_samples *self, const double *scatter)
 {
     double squares = 0.0, degrees = 0.0;
     bool relative = true; // a coefficient of variation needs values above 0
     for (size_t k = 0; k < self->count; k++) {
         const sample *one = &self->items[k];
-        const double weight = one->repeats.count > 1 ? (double)one->repeats.count - 1.0 : 0.0;
+        const double weight = (double)one->repeats.count - 1.0;
         relative = relative && one->value > 0.0;
         // s^2 of a specimen over the square of the value
         squares += weight * (double)one->repeats.count * pow(scatter[k] / one->value, 2.0);
@@ -101,12 +102,13 @@ static void pool(clod_plan_samples *self, const double *scatter)
     }
     for (size_t k = 0; k < self->count; k++) {
         sample *one = &self->items[k];
-        if (one->repeats.count < 2 || one->error <= 0.0) {
+        if (degrees == 0.0 || one->error <= 0.0) {
             continue; // without a stated error it is asked for
         }
         const double error =
             relative ? one->value * sqrt(squares / degrees / (double)one->repeats.count)
                      : scatter[k];
+        one->repeats.pooled = relative;
         one->repeats.estimate = error > one->error;
         one->error = fmax(one->error, error);
     }
@@ -136,16 +138,45 @@ static void warn_few(maker *self, const clod_plan_samples *from)
     size_t fewest = 0;
     for (size_t k = 0; k < from->count; k++) {
         const clod_plan_repeats *of = &from->items[k].repeats;
-        fewest = of->estimate && (fewest == 0 || of->count < fewest) ? of->count : fewest;
+        const bool counts = of->estimate && of->count > 1;
+        fewest = counts && (fewest == 0 || of->count < fewest) ? of->count : fewest;
     }
     if (fewest == 0 || fewest > FEW) {
         return;
     }
     clod_warning_list_add(
         &self->plan->warnings,
-        "%s: errors are estimated from %zu specimens, so each of them is uncertain by %.0f %%. Intervals are "
-        "wider for it (Student's t); more specimens make them narrower.",
+        "%s: errors are estimated from %zu specimens, whose scatter at one stress is uncertain by %.0f %%. "
+        "Intervals are wider for it (Student's t); more specimens make them narrower.",
         self->wish->locus, fewest, 100.0 / sqrt(2.0 * ((double)fewest - 1.0)));
+}
+
+static bool is_twice_in(const clod_plan_repeats *of)
+{
+    for (size_t k = 0; k < of->count && k < CLOD_PLAN_SPECIMENS; k++) {
+        for (size_t m = 0; m < k; m++) {
+            if (of->differences[m].specimen == of->differences[k].specimen) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void clod_plan_samples_warn_alike(clod_plan_maker *self, const clod_plan_samples *from)
+{
+    bool twice = false;
+    for (size_t k = 0; k < from->count && from->count > 1; k++) {
+        twice = twice || is_twice_in(&from->items[k].repeats);
+    }
+    if (twice) {
+        clod_warning_list_add(
+            &self->plan->warnings,
+            "%s: the rows of one stress have one seed, so nothing tells which rows of several "
+            "stresses are of one specimen: their errors count as independent, and intervals are too "
+            "narrow if they are not. Number the specimens in the column seed.",
+            self->wish->locus);
+    }
 }
 
 // ---- targets

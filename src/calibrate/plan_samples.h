@@ -47,6 +47,10 @@ bool clod_plan_samples_common(clod_plan_maker *self, size_t test, const clod_num
  */
 void clod_plan_samples_merge(clod_plan_samples *self, double error);
 
+/** Warn of a table with several points where a specimen is twice in one: nothing tells then which of its rows belong
+ *  together, and errors count as independent. */
+void clod_plan_samples_warn_alike(clod_plan_maker *self, const clod_plan_samples *from);
+
 /** A target of each point, or of those at a stress where one is given. */
 void clod_plan_samples_make(clod_plan_maker *self, const clod_number *kind,
                             const clod_plan_target *common, const clod_plan_samples *from,

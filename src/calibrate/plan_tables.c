@@ -45,6 +45,7 @@ static void make_locus_points(maker *self, const clod_number *kind,
                                                 .specimen = mark->seed};
         }
         clod_plan_samples_merge(&list, common->error);
+        clod_plan_samples_warn_alike(self, &list);
         clod_plan_samples_make(self, kind, common, &list, 0.0);
     }
     clod_plan_samples_fini(&list);
@@ -199,6 +200,7 @@ static void make_angles(maker *self, size_t test, const clod_number *kind,
         list.error_column = "tau_w_error";
         take_angles(self, locus, &list);
         clod_plan_samples_merge(&list, common.error);
+        clod_plan_samples_warn_alike(self, &list);
         clod_plan_samples_make(self, kind, &common, &list, 0.0);
     }
     clod_plan_samples_fini(&list);

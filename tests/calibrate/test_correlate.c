@@ -5,6 +5,7 @@
 #include "calibrate/correlate.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "support/check.h"
 
@@ -54,6 +55,41 @@ static void missing_rows_are_left_out(void **state)
     check_close(clod_correlate(&none, r), 0.0, 0.0);
     check_close(r[1], 0.0, 0.0);
     check_close(r[3], 1.0, 0.0);
+}
+
+/** Numbers 0 and 1 have rows 0 to 2 in common, number 2 has one with neither. */
+static void pairs_that_are_not_told_are_completed(void **state)
+{
+    (void)state;
+    const double rows[] = {1, 2, NONE, -1, -2, NONE, 0, 0, NONE, NONE, NONE, 4};
+    const clod_correlate_rows of = {.values = rows, .rows = 4, .count = 3, .block = 4};
+    double r[9];
+    check_close(clod_correlate(&of, r), 2.0, 1e-12);
+    check_close(r[1], 1.0, 1e-12);
+    assert_true(isnan(r[2]) && isnan(r[5]) && isnan(r[6]) && isnan(r[7]));
+    double alike[9];
+    memcpy(alike, r, sizeof r);
+    clod_correlate_complete(alike, NULL, 3);
+    check_close(alike[2], 1.0, 1e-12); // the mean of the one that is told
+    const double other[] = {1, 0.1, 0.2, 0.1, 1, 0.3, 0.2, 0.3, 1};
+    clod_correlate_complete(r, other, 3);
+    check_close(r[1], 1.0, 1e-12);
+    check_close(r[5], 0.3, 1e-12);
+    check_close(r[6], 0.2, 1e-12);
+    double against[] = {1, -0.5, NONE, -0.5, 1, NONE, NONE, NONE, 1};
+    clod_correlate_complete(against, NULL, 3);
+    check_close(against[7], 0.0, 0.0);
+}
+
+/** Squares beyond the largest number tell nothing. */
+static void numbers_that_overflow_are_not_told(void **state)
+{
+    (void)state;
+    const double rows[] = {1e200, 1e200, -1e200, -1e200, 1e200, -1e200};
+    const clod_correlate_rows of = {.values = rows, .rows = 3, .count = 2, .block = 3};
+    double r[4];
+    check_close(clod_correlate(&of, r), 0.0, 0.0);
+    check_close(r[1], 0.0, 0.0);
 }
 
 static void two_estimates_are_weighted_by_their_degrees(void **state)
@@ -116,6 +152,8 @@ int main(void)
         cmocka_unit_test(numbers_that_move_together_are_seen),
         cmocka_unit_test(each_point_loses_its_mean),
         cmocka_unit_test(missing_rows_are_left_out),
+        cmocka_unit_test(pairs_that_are_not_told_are_completed),
+        cmocka_unit_test(numbers_that_overflow_are_not_told),
         cmocka_unit_test(two_estimates_are_weighted_by_their_degrees),
         cmocka_unit_test(few_residuals_are_drawn_towards_equal_correlations),
         cmocka_unit_test(degrees_of_pooled_variances),

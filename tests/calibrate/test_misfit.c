@@ -10,7 +10,7 @@
 #include "plan_made.h"
 #include "support/check.h"
 
-#define MOST 3
+#define MOST 4
 #define POINTS 5
 
 static double room[400];
@@ -141,6 +141,57 @@ static void errors_of_specimens_that_recur_are_common(void **state)
     drop(&all);
 }
 
+/** Three stresses of three specimens, r = 1 with 2 degrees, and one of the first specimen alone, at which its packings
+ *  tell r = 1; with T = 4 and 2 + 5 degrees c = 7/8, (7 + 4 7/8)/11 = 21/22. One specimen of three is 1/sqrt(3) of
+ *  a mean. Four numbers that were one have 2 degrees; r = 21/22 of three pooled ones: 2 9/(3 + 6 r^2). */
+static void a_stress_of_one_specimen_leaves_the_others_together(void **state)
+{
+    (void)state;
+    made all = {.misfit = NULL};
+    plan_make(&all.plan, 1, MOST);
+    for (size_t t = 0; t < MOST; t++) {
+        clod_plan_target *of = &all.plan.targets[t];
+        put_specimens(of, (const double[]){1, -1, 0});
+        of->error = 1.0;
+        of->repeats.estimate = of->repeats.pooled = true;
+    }
+    all.plan.targets[3].repeats.count = 1;
+    make(&all, MOST);
+    double runs, laboratory;
+    clod_misfit_correlation(all.misfit, 0, 1, &runs, &laboratory);
+    check_close(laboratory, 21.0 / 22.0, 1e-12);
+    clod_misfit_correlation(all.misfit, 2, 3, &runs, &laboratory);
+    check_close(laboratory, 21.0 / 22.0 / sqrt(3.0), 1e-12);
+    check_close(clod_misfit_degrees(all.misfit, 0), 18.0 / (3.0 + 6.0 * 441.0 / 484.0), 1e-12);
+    drop(&all);
+}
+
+/** Of three specimens at one stress and of two others at another: nothing is in common but the degrees, of errors
+ *  that are not pooled the fewest. */
+static void errors_that_are_not_pooled_have_their_own_degrees(void **state)
+{
+    (void)state;
+    made all = {.misfit = NULL};
+    plan_make(&all.plan, 1, 2);
+    for (size_t t = 0; t < 2; t++) {
+        put_specimens(&all.plan.targets[t], (const double[]){1, -1, 0});
+        all.plan.targets[t].error = 1.0;
+        all.plan.targets[t].repeats.estimate = true;
+    }
+    for (int k = 0; k < 3; k++) {
+        all.plan.targets[1].repeats.differences[k].specimen = 201 + k;
+    }
+    make(&all, 2);
+    check_close(clod_misfit_degrees(all.misfit, 0), 2.0, 1e-12);
+    drop(&all);
+    for (size_t t = 0; t < 2; t++) {
+        all.plan.targets[t].repeats.pooled = true;
+    }
+    make(&all, 2);
+    check_close(clod_misfit_degrees(all.misfit, 0), 4.0, 1e-12);
+    drop(&all);
+}
+
 /** Two measurements of one specimen at one stress: which belongs to which at the other, nobody knows. */
 static void specimens_that_cannot_be_told_apart_are_independent(void **state)
 {
@@ -220,6 +271,8 @@ int main(void)
         cmocka_unit_test(targets_of_two_tests_have_nothing_in_common),
         cmocka_unit_test(errors_of_specimens_that_recur_are_common),
         cmocka_unit_test(specimens_that_cannot_be_told_apart_are_independent),
+        cmocka_unit_test(a_stress_of_one_specimen_leaves_the_others_together),
+        cmocka_unit_test(errors_that_are_not_pooled_have_their_own_degrees),
         cmocka_unit_test(an_estimated_error_is_a_student_t),
         cmocka_unit_test(errors_are_drawn),
     };

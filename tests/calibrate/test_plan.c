@@ -116,9 +116,9 @@ static void specimens_at_one_stress_are_one_target(void **state)
         }
     }
     assert_int_equal(plan.warnings.count > 0, 1);
-    assert_non_null(
-        strstr(plan.warnings.text[0],
-               "errors are estimated from 3 specimens, so each of them is uncertain by 50 %"));
+    assert_non_null(strstr(
+        plan.warnings.text[0],
+        "errors are estimated from 3 specimens, whose scatter at one stress is uncertain by 50 %"));
     clod_plan_fini(&plan);
 }
 
@@ -141,7 +141,8 @@ static void specimens_at_almost_one_stress_scatter_about_the_locus(void **state)
     clod_plan_fini(&plan);
 }
 
-// Rows of one stress without seeds. Two angles a and b scatter by |a - b|/2, more than 0.5 deg/sqrt(2).
+// Rows of one stress without seeds. The mean of two angles a and b is known to |a - b|/2, more than 0.5 deg/sqrt(2); one
+// of them, and so the one angle at the other stress, to sqrt(2) times as much of its value, more than 0.5 deg.
 static void repeats_at_one_wall_stress_are_one_target(void **state)
 {
     clod_plan plan;
@@ -150,9 +151,33 @@ static void repeats_at_one_wall_stress_are_one_target(void **state)
     assert_true(lab_load(state, WALL, "contacts.ore-plate.friction",
                          "locus: lab.csv, error: 0.5 deg", &plan, &status));
     assert_int_equal(plan.target_count, 2);
-    lab_check_target(&plan.targets[0], "lab: phi_x at 20 kPa", 20e3,
-                     0.5 * (atan(0.2) + atan(0.22)), 0.5 * (atan(0.22) - atan(0.2)));
-    lab_check_target(&plan.targets[1], "lab: phi_x at 10 kPa", 10e3, atan(0.25), 0.5 * DEGREE);
+    const double mean = 0.5 * (atan(0.2) + atan(0.22)), half = 0.5 * (atan(0.22) - atan(0.2));
+    lab_check_target(&plan.targets[0], "lab: phi_x at 20 kPa", 20e3, mean, half);
+    lab_check_target(&plan.targets[1], "lab: phi_x at 10 kPa", 10e3, atan(0.25),
+                     sqrt(2.0) * half / mean * atan(0.25));
+    assert_true(plan.targets[0].repeats.pooled && plan.targets[1].repeats.estimate);
+    assert_non_null(strstr(plan.warnings.text[0], "the rows of one stress have one seed"));
+    clod_plan_fini(&plan);
+}
+
+// A shear stress of 0 has no coefficient of variation: each point keeps its own scatter, 0 and 2 kPa of the mean, or what
+// the table states.
+static void points_beside_one_of_0_keep_their_own_scatter(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    lab_write_file(state, "lab.csv",
+                   SEEDS_HEAD
+                   "1,54.8,40,12,0,0.1\n2,54.8,40,12,0,0.1\n"
+                   "1,54.8,40,20,18,0.1\n2,54.8,40,20,22,0.1\n1,54.8,40,30,30,0.1\n");
+    assert_true(lab_load(state, RING, "contacts.default.rolling_friction", "locus: lab.csv",
+                         &plan, &status));
+    assert_int_equal(plan.target_count, 3);
+    assert_true(plan.targets[0].value == 0.0);
+    assert_true(fabs(plan.targets[0].error - 0.1e3 / sqrt(2.0)) < 1e-9);
+    lab_check_target(&plan.targets[1], "lab: tau at 20 kPa", 20e3, 20e3, 2e3);
+    lab_check_target(&plan.targets[2], "lab: tau at 30 kPa", 30e3, 30e3, 0.1e3);
+    assert_true(plan.targets[1].repeats.estimate && !plan.targets[1].repeats.pooled);
     clod_plan_fini(&plan);
 }
 
@@ -210,6 +235,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(specimens_at_one_stress_are_one_target,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(specimens_at_almost_one_stress_scatter_about_the_locus,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(points_beside_one_of_0_keep_their_own_scatter,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(repeats_at_one_wall_stress_are_one_target,
                                         temp_folder_make, temp_folder_remove),
