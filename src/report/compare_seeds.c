@@ -28,6 +28,24 @@ static void note(void *context, const char *key, const char *there, const char *
     }
 }
 
+/** Whether two runs of a test have a packing in common: with several seeds each run has the seeds that follow. */
+static bool share_packing(const clod_run_files *a, const clod_run_files *b)
+{
+    size_t i, k;
+    const json_t *one, *other;
+    json_array_foreach(json_object_get(a->summary, "parts"), i, one)
+    {
+        const json_t *seed = json_object_get(one, "seed");
+        json_array_foreach(json_object_get(b->summary, "parts"), k, other)
+        {
+            if (seed != NULL && json_equal(seed, json_object_get(other, "seed"))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 /** Put run k into the group of `first` if it repeats its case with a seed that is new there. */
 static bool try_group(clod_compare_seeds *self, const clod_run_files *runs, char (*seed)[SEED],
                       size_t first, size_t k, bool *done, clod_status *status)
@@ -41,8 +59,10 @@ static bool try_group(clod_compare_seeds *self, const clod_run_files *runs, char
     }
     *done = true; // one case: no other group has it
     for (size_t j = first; j < k; j++) {
-        if (self->group[j] == first && strcmp(seed[j], one.seed) == 0) {
-            return true; // the same run again
+        if (self->group[j] == first &&
+            (strcmp(seed[j], one.seed) == 0 || share_packing(&runs[j], &runs[k]))) {
+            self->left_out = true;
+            return true; // the same packing again
         }
     }
     self->group[k] = first;
@@ -160,7 +180,7 @@ void clod_compare_seeds_note(FILE *out, const clod_compare_seeds *self,
         fprintf(out,
                 "<p class=\"note\"><strong>%s</strong>: mean &plusmn; standard error of the "
                 "mean, and scatter s (standard deviation), of %zu runs whose cases differ in "
-                "nothing but seed: ",
+                "nothing but seed and title: ",
                 name, size);
         const char *between = "";
         for (size_t k = first; k < self->count; k++) {
@@ -171,6 +191,12 @@ void clod_compare_seeds_note(FILE *out, const clod_compare_seeds *self,
             }
         }
         fputs(". Errors of the single runs have no part in it.</p>\n", out);
+    }
+    if (self->left_out) {
+        fputs(
+            "<p class=\"note\">Runs that share a packing (a seed) with an earlier one of the same case have no part "
+            "in means: they are not independent.</p>\n",
+            out);
     }
 }
 

@@ -16,10 +16,12 @@
 typedef struct clod_compare_seeds {
     size_t *group; ///< [count] owned: number of the first run of the group; `count`: of none
     size_t count;  ///< of runs
+    bool left_out; ///< a run has a packing in common with an earlier one of its case
 } clod_compare_seeds;
 
 /**
- * Find the groups. A run with the seed of an earlier one of its group is left out: it tells nothing new.
+ * Find the groups. A run that has a packing (a seed) in common with an earlier one of its group is left out: it tells
+ * little that is new.
  *
  * @param self  [out] owned (clod_compare_seeds_fini), also after a failure
  * Errors  CLOD_FAILED: no memory.   Test  tests/report/test_compare.py

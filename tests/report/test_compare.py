@@ -52,7 +52,18 @@ class Compare(clod.Case):
         self.assertEqual(len(whole), 1)
         self.assertAlmostEqual(float(whole[0].split()[2]), 100.0 / math.sqrt(3.0), places=9)
         note = "".join(page.words)
-        self.assertIn("of 3 runs whose cases differ in nothing but seed: seed1, seed2, seed3.", note)
+        self.assertIn("of 3 runs whose cases differ in nothing but seed and title: seed1, seed2, seed3.", note)
+        self.assertIn("have no part in means", note)  # "again"
+
+    def test_packings_in_common_are_no_repeats(self):
+        """With two seeds a test has the packings seed and seed + 1: those of 1 and 2 have one in common, those of 1 and 3 none."""
+        for seed in (1, 2, 3):
+            parts = [{"part": f"{part}{packing}", "seed": packing} for packing in (seed, seed + 1) for part in ("preshear", "point")]
+            self.shear(f"seed{seed}", seed, 104.0 * seed, parts=parts)
+        page = self.compare("seed1", "seed2", "seed3")
+        self.assertEqual(self.column(page, "mean, n = 2")["cohesion [kPa]"], "1.58 ± 0.10 (s 0.15)")  # 1.479 and 1.687
+        self.assertIn("Runs that share a packing (a seed) with an earlier one", "".join(page.words))
+        self.assertNotIn("have no part in means", "".join(self.compare("seed1", "seed3").words))
 
     def test_many_runs_are_rows(self):
         """The mean of nine is the last row; cohesions of 1.375 to 2.175 kPa: deviation 0.1 sqrt(60/8), error a third of it."""
@@ -119,6 +130,8 @@ class Compare(clod.Case):
 
     def seeded(self, name, seed, summary):
         case = clod.read(self.path(f"{name}/case-complete.yaml")).decode()
+        if "parts" in summary:
+            summary = {**summary, "parts": [{**part, "seed": seed} for part in summary["parts"]]}
         pages.write(self.path(name), summary__json=summary, **{"case_HYPHEN_complete__yaml": f"{case}seed: {seed}\n"})
 
     def test_warnings_of_each_run(self):
