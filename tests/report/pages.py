@@ -175,7 +175,8 @@ def calibration(folder):
                             "within_two_deviations": 0.95, "sections": sections}}
     kept = {**target, "name": "ring: phi_sf", "measured": 30.25, "model": 29.5, "low": 28.0, "high": 31.0, "held_back": True}
     other = {**target, "name": "ring: sigma_c", "unit": "kPa", "measured": 7.5, "error": 0.25, "model": 7.25, "low": 6.5, "high": 8.0}
-    write(folder, calibration__json={"title": "Two stiffnesses", "level": 0.9, "p_value": 0.4, "chi_square": 1.3, "warnings": ["none"],
+    write(folder, calibration__json={"version": "clod 10 (def)", "written": "2001-02-03T04:05:06.789Z",
+                                     "title": "Two stiffnesses", "level": 0.9, "p_value": 0.4, "chi_square": 1.3, "warnings": ["none"],
                                      "plan": "plan.yaml", "points": 8, "packings": 1, "failed_runs": 0,
                                      "parameters": {"a": about, "b": steep}, "targets": [target, kept, other]}, runs__csv=RUNS,
           design__txt="Runs of a calibration: another plan needs another folder.\nclod clod 9 (abc)\nseed 1, seeds 1\n",
