@@ -159,6 +159,23 @@ class Compare(clod.Case):
         self.shear("two", 2)
         self.assertIn("No warnings.", "".join(self.compare("one", "two").words))
 
+    def test_more_measures_than_the_table_has(self):
+        """Gauges 0 to 199 are 200 rows; 100 to 259 of another run are 60 more, each of them once."""
+        gauge = pages.FREE["gauges"]["head"]
+        make = lambda name, first, last: pages.free_run(
+            self.path(name), outlets=None, gauges={f"g{k}": gauge for k in range(first, last)})
+        make("one", 0, 200)
+        make("two", 100, 200)
+        make("three", 100, 260)
+        make("four", 200, 260)
+        for names, left_out in ((("one", "two"), None), (("one", "two", "three", "four"), "60")):
+            page = self.compare(*names)
+            rows = [row for row in self.column(page, "one") if row.startswith("mass flow: ")]
+            self.assertEqual(rows, [f"mass flow: g{k} [kg/s]" for k in range(200)])
+            told = re.findall(r"(\d+) more angles of repose, mixing indices and mass flows are in the runs' summary\.json",
+                              "".join(page.words))
+            self.assertEqual(told, [left_out] if left_out else [])
+
 
 if __name__ == "__main__":
     clod.unittest.main()
