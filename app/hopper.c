@@ -10,17 +10,16 @@
 #include <string.h>
 
 #include "app.h"
-#include "arguments.h"
 #include "clod/hopper.h"
 #include "clod/text_file.h"
+#include "one_case.h"
 #include "report/report.h"
 
-enum { KEY_JSON = 256, KEY_SET };
+enum { KEY_JSON = 256 };
 
 typedef struct request {
-    const char *path, *output;
-    const char **overrides; ///< owned array of borrowed texts
-    size_t override_count;
+    clod_one_case of;
+    const char *output;
     bool json;
 } request;
 
@@ -30,7 +29,7 @@ static const struct argp_option OPTIONS[] = {
      "also write NAME.json, the design chart NAME.svg and the page NAME.html; they replace files "
      "of these names",
      0},
-    {"set", KEY_SET, "KEY=VALUE", 0, "another value for a key, e.g. cone.outlet=200mm", 0},
+    {"set", 'S', "KEY=VALUE", 0, "another value for a key, e.g. cone.outlet=200mm", 0},
     {0},
 };
 
@@ -41,23 +40,11 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case KEY_JSON:
         self->json = true;
         return 0;
-    case KEY_SET:
-        self->overrides[self->override_count++] = argument;
-        return 0;
     case 'o':
         self->output = argument;
         return 0;
-    case ARGP_KEY_ARG:
-        if (self->path != NULL) {
-            argp_error(state, "one case at a time");
-        }
-        self->path = argument;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state, "which case? clod new hopper writes an example");
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return clod_one_case_parse(&self->of, key, argument, state);
     }
 }
 
@@ -78,7 +65,7 @@ static bool put(const request *self, const char *ending, char *text, clod_status
     char *path = name_of(self, ending);
     bool done = path != NULL && text != NULL;
     if (done) {
-        done = clod_text_file_write(path, self->path, text, status);
+        done = clod_text_file_write(path, self->of.path, text, status);
         if (done) {
             fprintf(self->json ? stderr : stdout, "wrote %s\n", path);
         }
@@ -141,7 +128,7 @@ static bool print(const request *self, const clod_hopper *hopper, clod_status *s
 static bool run(const request *self, clod_status *status)
 {
     clod_hopper *hopper =
-        clod_hopper_create(self->path, self->overrides, self->override_count, status);
+        clod_hopper_create(self->of.path, self->of.overrides, self->of.override_count, status);
     if (hopper == NULL) {
         return false;
     }
@@ -163,20 +150,11 @@ int clod_app_hopper(int argc, char **argv)
             "interval.\v"
             "clod new hopper writes an example; docs/howto/hopper.md explains its keys.",
     };
-    request self = {.overrides = calloc((size_t)argc, sizeof *self.overrides)};
-    if (self.overrides == NULL) {
-        fputs("clod hopper: no memory\n", stderr);
+    request self = {.of.example = "clod new hopper"};
+    if (!clod_one_case_init(&self.of, &argp, argc, argv, &self)) {
         return CLOD_FAILED;
     }
     clod_status status = {CLOD_OK, ""};
-    int result = CLOD_FAILED;
-    if (clod_arguments_parse(&argp, argc, argv, 0, &self)) {
-        const bool done = run(&self, &status);
-        result = done ? EXIT_SUCCESS : (int)status.code;
-        if (!done) {
-            fprintf(stderr, "clod hopper: %s\n", status.text);
-        }
-    }
-    free(self.overrides);
-    return result;
+    const bool good = run(&self, &status);
+    return clod_one_case_fini(&self.of, argv, good, &status);
 }

@@ -5,6 +5,10 @@ import numpy
 from ._library import ffi, lib
 
 
+def _three(value):
+    return ffi.new("double[3]", list(value))
+
+
 class Wall:
     """A wall of a simulation, by its name: what it feels, and its motion, which may be set."""
 
@@ -21,6 +25,9 @@ class Wall:
         wall = ffi.new("clod_sim_wall *")
         self._simulation._call(lib.clod_sim_wall_look, self._index(), wall)
         return wall
+
+    def _set(self, function, *values):
+        self._simulation._call(function, self._index(), *values)
 
     def _vector(self, name):
         return numpy.array(list(getattr(self._look(), name)))
@@ -47,8 +54,7 @@ class Wall:
 
     @position.setter
     def position(self, value):
-        self._simulation._call(lib.clod_sim_set_wall_position, self._index(),
-                               ffi.new("double[3]", list(value)))
+        self._set(lib.clod_sim_set_wall_position, _three(value))
 
     @property
     def velocity(self):
@@ -57,8 +63,7 @@ class Wall:
 
     @velocity.setter
     def velocity(self, value):
-        self._simulation._call(lib.clod_sim_set_wall_velocity, self._index(),
-                               ffi.new("double[3]", list(value)))
+        self._set(lib.clod_sim_set_wall_velocity, _three(value))
 
     @property
     def surface_velocity(self):
@@ -67,8 +72,7 @@ class Wall:
 
     @surface_velocity.setter
     def surface_velocity(self, value):
-        self._simulation._call(lib.clod_sim_set_wall_surface_velocity, self._index(),
-                               ffi.new("double[3]", list(value)))
+        self._set(lib.clod_sim_set_wall_surface_velocity, _three(value))
 
     def set_belt(self, shape=0, velocity=(0, 0, 0), speed=0, direction=(0, 0, 0), spin=0,
                  spin_axis=(0, 0, 0), spin_point=(0, 0, 0)):
@@ -80,7 +84,7 @@ class Wall:
         belt = ffi.new("clod_sim_belt *")
         belt.velocity, belt.speed, belt.direction = list(velocity), speed, list(direction)
         belt.spin, belt.spin_axis, belt.spin_point = spin, list(spin_axis), list(spin_point)
-        self._simulation._call(lib.clod_sim_set_belt, self._index(), int(shape), belt)
+        self._set(lib.clod_sim_set_belt, int(shape), belt)
 
     def belt(self, shape=0):
         """The belt of one shape; keyword arguments of set_belt."""
@@ -96,7 +100,7 @@ class Wall:
 
     @spin.setter
     def spin(self, value):
-        self._simulation._call(lib.clod_sim_set_wall_spin, self._index(), float(value))
+        self._set(lib.clod_sim_set_wall_spin, float(value))
 
     @property
     def orientation(self):
@@ -105,14 +109,11 @@ class Wall:
 
     @orientation.setter
     def orientation(self, value):
-        self._simulation._call(lib.clod_sim_set_wall_orientation, self._index(),
-                               ffi.new("double[4]", list(value)))
+        self._set(lib.clod_sim_set_wall_orientation, ffi.new("double[4]", list(value)))
 
     def set_angular_velocity(self, value, point):
         """rad/s about a point of space (m) from now on; the wall stays where it is."""
-        self._simulation._call(lib.clod_sim_set_wall_angular_velocity, self._index(),
-                               ffi.new("double[3]", list(value)),
-                               ffi.new("double[3]", list(point)))
+        self._set(lib.clod_sim_set_wall_angular_velocity, _three(value), _three(point))
 
     @property
     def load(self):
@@ -121,4 +122,4 @@ class Wall:
 
     @load.setter
     def load(self, value):
-        self._simulation._call(lib.clod_sim_set_wall_load, self._index(), float(value))
+        self._set(lib.clod_sim_set_wall_load, float(value))

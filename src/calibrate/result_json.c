@@ -7,9 +7,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/clock.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "calibrate/result.h"
+#include "clod/version.h"
 
 #define SECTION 40 ///< steps of a section
 
@@ -132,15 +134,17 @@ char *clod_result_json(const clod_result *self)
     for (size_t k = 0; k < self->warnings.count; k++) {
         json_array_append_new(warnings, json_string(self->warnings.text[k]));
     }
+    char now[CLOD_CLOCK_TEXT];
+    clod_clock_date(now);
     json_t *all = json_pack(
-        "{s:s?, s:s, s:I, s:I, s:I, s:I, s:f, s:o, s:o, s:o, s:o, s:o, s:o}", "title",
-        self->plan->title, "plan", self->plan->path, "points", (json_int_t)self->study->points,
-        "designed_points", (json_int_t)self->study->designed, "packings",
-        (json_int_t)self->plan->seeds, "failed_runs", (json_int_t)clod_runs_failed(self->runs),
-        "level", self->plan->sampling.level, "chi_square", clod_json_number(from->chi_square),
-        "p_value", clod_json_number(from->p_value), "accepted",
-        clod_json_number(from->accepted), "parameters", parameters, "targets", targets,
-        "warnings", warnings);
+        "{s:s, s:s, s:s?, s:s, s:I, s:I, s:I, s:I, s:f, s:o, s:o, s:o, s:o, s:o, s:o}",
+        "version", clod_version_text(), "written", now, "title", self->plan->title, "plan",
+        self->plan->path, "points", (json_int_t)self->study->points, "designed_points",
+        (json_int_t)self->study->designed, "packings", (json_int_t)self->plan->seeds,
+        "failed_runs", (json_int_t)clod_runs_failed(self->runs), "level",
+        self->plan->sampling.level, "chi_square", clod_json_number(from->chi_square), "p_value",
+        clod_json_number(from->p_value), "accepted", clod_json_number(from->accepted),
+        "parameters", parameters, "targets", targets, "warnings", warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

@@ -197,6 +197,20 @@ static bool enough(const clod_surrogate_runs *runs, clod_surrogate_kind kind,
                             runs->count, clod_surrogate_points(runs), terms);
 }
 
+/** A surrogate that is not fitted yet; NULL with a status. */
+static clod_surrogate *begin(const clod_surrogate_runs *runs, clod_surrogate_kind kind,
+                             clod_status *status)
+{
+    if (!enough(runs, kind, status)) {
+        return NULL;
+    }
+    clod_surrogate *self = make(runs, kind);
+    if (self == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
+    }
+    return self;
+}
+
 static clod_surrogate *finish(clod_surrogate *self, bool good, clod_status *status)
 {
     if (!good) {
@@ -210,12 +224,8 @@ static clod_surrogate *finish(clod_surrogate *self, bool good, clod_status *stat
 clod_surrogate *clod_surrogate_create(const clod_surrogate_runs *runs, clod_surrogate_kind kind,
                                       clod_status *status)
 {
-    if (!enough(runs, kind, status)) {
-        return NULL;
-    }
-    clod_surrogate *self = make(runs, kind);
+    clod_surrogate *self = begin(runs, kind, status);
     if (self == NULL) {
-        clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
         return NULL;
     }
     const bool good = kind == CLOD_SURROGATE_GAUSSIAN ? clod_surrogate_fit(self, runs->stop)
@@ -232,12 +242,8 @@ clod_surrogate *clod_surrogate_create_at(const clod_surrogate_runs *runs,
                                          clod_surrogate_kind kind, const double *lengths,
                                          double nugget, clod_status *status)
 {
-    if (!enough(runs, kind, status)) {
-        return NULL;
-    }
-    clod_surrogate *self = make(runs, kind);
+    clod_surrogate *self = begin(runs, kind, status);
     if (self == NULL) {
-        clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
         return NULL;
     }
     memcpy(self->lengths, lengths, runs->dimensions * sizeof(double));

@@ -4,6 +4,7 @@
  */
 
 #include "config/param.h"
+#include "config/params_corner.h"
 #include "config/params_radius.h"
 
 #define G clod_case_grains
@@ -62,26 +63,8 @@ static const clod_param SIZES[] = {
 static const clod_table SIZES_TABLE = {.title = "Sizes by mass.", CLOD_ROWS(SIZES)};
 
 static const clod_param BOX[] = {
-    {.key = "min",
-     .kind = CLOD_PARAM_VECTOR,
-     .length = 3,
-     .need = CLOD_PARAM_REQUIRED,
-     .unit = "m",
-     CLOD_FROM(-1e4, 1e4),
-     .example = "[0 mm, 0 mm, 0 mm]",
-     CLOD_AT(R, min),
-     .help = "Corner with the smallest x, y, z.",
-     .source = "convention"},
-    {.key = "max",
-     .kind = CLOD_PARAM_VECTOR,
-     .length = 3,
-     .need = CLOD_PARAM_REQUIRED,
-     .unit = "m",
-     CLOD_FROM(-1e4, 1e4),
-     .example = "[50 mm, 50 mm, 80 mm]",
-     CLOD_AT(R, max),
-     .help = "Corner with the largest x, y, z.",
-     .source = "convention"},
+    CLOD_CORNER_ROW("min", "smallest", R, min, "[0 mm, 0 mm, 0 mm]"),
+    CLOD_CORNER_ROW("max", "largest", R, max, "[50 mm, 50 mm, 80 mm]"),
 };
 static const clod_table BOX_TABLE = {.title = "A box along x, y, z.", CLOD_ROWS(BOX)};
 

@@ -6,6 +6,7 @@
 #include "config/check.h"
 #include "config/law_keys.h"
 #include "config/param.h"
+#include "config/params_corner.h"
 
 #define C clod_case
 #define T clod_case_time
@@ -16,26 +17,8 @@
 static const char *const OPEN[] = {"stop", "delete", NULL};
 
 static const clod_param DOMAIN_ROWS[] = {
-    {.key = "min",
-     .kind = CLOD_PARAM_VECTOR,
-     .length = 3,
-     .need = CLOD_PARAM_REQUIRED,
-     .unit = "m",
-     CLOD_FROM(-1e4, 1e4),
-     .example = "[0 mm, 0 mm, -10 mm]",
-     CLOD_AT(C, domain_min),
-     .help = "Corner with the smallest x, y, z.",
-     .source = "convention"},
-    {.key = "max",
-     .kind = CLOD_PARAM_VECTOR,
-     .length = 3,
-     .need = CLOD_PARAM_REQUIRED,
-     .unit = "m",
-     CLOD_FROM(-1e4, 1e4),
-     .example = "[50 mm, 50 mm, 200 mm]",
-     CLOD_AT(C, domain_max),
-     .help = "Corner with the largest x, y, z.",
-     .source = "convention"},
+    CLOD_CORNER_ROW("min", "smallest", C, domain_min, "[0 mm, 0 mm, -10 mm]"),
+    CLOD_CORNER_ROW("max", "largest", C, domain_max, "[50 mm, 50 mm, 200 mm]"),
     {.key = "periodic",
      .kind = CLOD_PARAM_FLAGS,
      .need = CLOD_PARAM_OPTIONAL,

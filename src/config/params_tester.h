@@ -17,6 +17,11 @@
         .key = #name, .kind = CLOD_PARAM_REAL, .need = CLOD_PARAM_OPTIONAL, .unit = si,        \
         __VA_ARGS__, .fallback = value, CLOD_AT(type, name), .help = text, .source = where     \
     }
+#define CLOD_TESTER_RADIUS_TABLE(rows)                                                         \
+    {                                                                                          \
+        .title = "Normal distribution of grain radii by number, cut to [min, max].",           \
+        CLOD_ROWS(rows)                                                                        \
+    }
 #define CLOD_TESTER_RADIUS(rows)                                                               \
     {                                                                                          \
         .key = "radius", .kind = CLOD_PARAM_SECTION, .need = CLOD_PARAM_REQUIRED,              \

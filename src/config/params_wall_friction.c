@@ -56,9 +56,7 @@ static bool is_filled_by_depth(const clod_case *whole, const void *self)
 }
 
 static const clod_param RADIUS[] = {CLOD_RADIUS_ROWS(W, CLOD_PARAM_REQUIRED)};
-static const clod_table RADIUS_TABLE = {
-    .title = "Normal distribution of grain radii by number, cut to [min, max].",
-    CLOD_ROWS(RADIUS)};
+static const clod_table RADIUS_TABLE = CLOD_TESTER_RADIUS_TABLE(RADIUS);
 
 #define RIDGE(name, needed, range, text, more)                                                 \
     {                                                                                          \

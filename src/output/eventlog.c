@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "output/file.h"
@@ -99,27 +100,16 @@ void clod_eventlog_append(clod_eventlog *self, const char *lines, size_t bytes)
     pthread_mutex_unlock(&self->lock);
 }
 
-/** Owned JSON text of the moment, UTC with milliseconds. */
-static json_t *now_text(void)
-{
-    struct timespec now;
-    struct tm parts;
-    char day[40], text[64];
-    clock_gettime(CLOCK_REALTIME, &now);
-    gmtime_r(&now.tv_sec, &parts);
-    strftime(day, sizeof day, "%Y-%m-%dT%H:%M:%S", &parts);
-    snprintf(text, sizeof text, "%s.%03dZ", day, (int)(now.tv_nsec / 1000000));
-    return json_string(text);
-}
-
 void clod_eventlog_write_json(clod_eventlog *self, const char *event, json_t *fields)
 {
     if (self == NULL) {
         json_decref(fields);
         return;
     }
+    char now[CLOD_CLOCK_TEXT];
+    clod_clock_date(now);
     json_t *line = json_object();
-    json_object_set_new(line, "time", now_text());
+    json_object_set_new(line, "time", json_string(now));
     json_object_set_new(line, "event", json_string(event));
     json_object_update_missing(line, fields);
     json_decref(fields);

@@ -299,9 +299,15 @@ static void read_version(const char *folder, char version[160])
     }
 }
 
-/** When calibration.json was written, UTC. */
-static void read_time(const char *folder, char text[40])
+/** When calibration.json was written, UTC: as it says, or else the time of the file. */
+static void read_time(const char *folder, const json_t *result, char text[40])
 {
+    const char *written = json_string_value(json_object_get(result, "written"));
+    if (written != NULL && strlen(written) >= strlen("2026-11-28T03:02") &&
+        written[strspn(written, "0123456789-T:.Z")] == '\0') {
+        snprintf(text, 40, "%.10s %.5s UTC", written, written + strlen("2026-11-28T"));
+        return;
+    }
     char path[PATH_MAX];
     struct stat about;
     struct tm parts;
@@ -325,7 +331,11 @@ static void put_sources(FILE *out, const char *folder, const json_t *result)
     clod_html_fact(out, "results folder", folder);
     read_version(folder, version);
     clod_html_fact(out, "runs computed by", version[0] != '\0' ? version : "not known");
-    read_time(folder, text);
+    const char *by = json_string_value(json_object_get(result, "version"));
+    if (by != NULL) { // earlier versions did not write it
+        clod_html_fact(out, "calibrated by", by);
+    }
+    read_time(folder, result, text);
     clod_html_fact(out, "calibration.json written", text);
     clod_html_fact(out, "page written by", clod_version_text());
     clod_html_fact(out, "plan", json_string_value(json_object_get(result, "plan")));
@@ -374,7 +384,7 @@ bool clod_calibration_page_put(clod_sheet *sheet, const char *folder, char **tit
     clod_html_text(sheet->body, *title != NULL ? *title : "");
     fputs("</h1><p class=\"when\">", sheet->body);
     clod_html_text(sheet->body, folder);
-    read_time(folder, time);
+    read_time(folder, result, time);
     fprintf(sheet->body, ", computed until %s</p></header>\n", time);
     put_warnings(sheet->body, result);
     put_cards(sheet->body, result);

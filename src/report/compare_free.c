@@ -8,7 +8,7 @@
 #include "report/html.h"
 #include "report/rounded.h"
 
-#define MOST 200 ///< numbers that runs measured
+#define MOST 200 ///< numbers that runs measured; of more the page says how many
 
 static const clod_result_row ROWS[] = {
     {"time_s", "time", "", "s", 1.0, CLOD_ROUNDED_SHORT, NULL, "-", false},
@@ -38,7 +38,8 @@ typedef struct table {
     clod_result_row row[OWN + MOST];
     char *key[MOST], *text[MOST]; ///< owned
     size_t measured;
-    bool lost; ///< there was no memory for something
+    json_t *left_out; ///< keys of the numbers beyond MOST, each once
+    bool lost;        ///< there was no memory for something
 } table;
 
 static const json_t *summary_of(const json_t *summary, size_t g)
@@ -71,14 +72,17 @@ static char *text_of(size_t m, const char *name)
     return clod_text_close(&text);
 }
 
-/** Add the row of a number if it is new; takes the key. */
+/** Add the row of a number if it is new and there is room; takes the key. */
 static void add_row(table *self, size_t m, const char *name, char *key)
 {
-    bool known = key == NULL || self->measured == MOST;
+    bool known = false;
     for (size_t k = 0; k < self->measured && !known; k++) {
         known = strcmp(self->key[k], key) == 0;
     }
-    if (known) {
+    if (known || self->measured == MOST) {
+        if (!known && json_object_set_new(self->left_out, key, json_true()) != 0) {
+            self->lost = true;
+        }
         clod_memory_free(key);
         return;
     }
@@ -133,7 +137,7 @@ bool clod_compare_free_results(FILE *out, const clod_run_files *runs, size_t cou
                                const json_t *lab, clod_status *status)
 {
     (void)lab;
-    table all = {.measured = 0};
+    table all = {.left_out = json_object()};
     clod_run_files *flat = clod_memory_alloc(count, sizeof *flat);
     memcpy(all.row, ROWS, sizeof ROWS);
     for (size_t k = 0; flat != NULL && k < count; k++) {
@@ -141,10 +145,18 @@ bool clod_compare_free_results(FILE *out, const clod_run_files *runs, size_t cou
         flat[k].summary = flatten(&all, runs[k].summary);
     }
     const bool good =
-        flat != NULL && !all.lost
+        flat != NULL && all.left_out != NULL && !all.lost
             ? clod_compare_tables_put(out, all.row, OWN + all.measured, flat, count, NULL,
                                       summary_of, status)
             : clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.");
+    if (good && json_object_size(all.left_out) > 0) {
+        fprintf(
+            out,
+            "<p class=\"note\">%zu more angles of repose, mixing indices and mass flows are in "
+            "the runs' summary.json.</p>\n",
+            json_object_size(all.left_out));
+    }
+    json_decref(all.left_out);
     for (size_t k = 0; flat != NULL && k < count; k++) {
         json_decref(flat[k].summary);
     }

@@ -167,10 +167,9 @@ bool clod_compare_head_warnings(FILE *out, const clod_run_files *runs, size_t co
 {
     items all = {.count = 0};
     const bool good = collect(&all, runs, count, lab);
-    const size_t labs = clod_head_lab_items(NULL, lab);
     if (!good) {
         clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.");
-    } else if (all.count + labs > 0) {
+    } else if (all.count + clod_head_lab_count(lab) > 0) {
         fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>", out);
         for (size_t k = 0; k < all.count; k++) {
             if (!all.item[k].done) {
@@ -178,11 +177,7 @@ bool clod_compare_head_warnings(FILE *out, const clod_run_files *runs, size_t co
             }
         }
         fputs("</ul>", out);
-        if (labs > 0) {
-            fputs("<h3>Laboratory points</h3><ul>", out);
-            clod_head_lab_items(out, lab);
-            fputs("</ul>", out);
-        }
+        clod_head_lab_put(out, lab);
         fputs("</section>\n", out);
     } else if (runs[0].kind->checked) {
         fputs("<p class=\"good\">No warnings.</p>\n", out);

@@ -124,30 +124,39 @@ bool clod_compare_tables_put(FILE *out, const clod_result_row *rows, size_t row_
     return good;
 }
 
-bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t count,
-                               const json_t *lab, clod_status *status)
+/** Results that a test has one of for each run, and their key in the laboratory's column. */
+typedef struct loci {
+    const char *key;
+    const clod_result_row *rows;
+    size_t row_count;
+    clod_compare_object get;
+} loci;
+
+static bool put_loci(FILE *out, const loci *self, const clod_run_files *runs, size_t count,
+                     const json_t *lab, clod_status *status)
 {
-    json_t *beside = lab != NULL ? json_pack("{s:O}", "locus", lab) : NULL;
+    json_t *beside = lab != NULL ? json_pack("{s:O}", self->key, lab) : NULL;
     const bool good =
         lab != NULL && beside == NULL
             ? clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.")
-            : clod_compare_tables_put(out, CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, runs, count,
-                                      beside, locus_of, status);
+            : clod_compare_tables_put(out, self->rows, self->row_count, runs, count, beside,
+                                      self->get, status);
     json_decref(beside);
     return good;
+}
+
+bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t count,
+                               const json_t *lab, clod_status *status)
+{
+    const loci own = {"locus", CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, locus_of};
+    return put_loci(out, &own, runs, count, lab, status);
 }
 
 bool clod_compare_tables_wall(FILE *out, const clod_run_files *runs, size_t count,
                               const json_t *lab, clod_status *status)
 {
-    json_t *beside = lab != NULL ? json_pack("{s:O}", "wall_locus", lab) : NULL;
-    const bool good =
-        lab != NULL && beside == NULL
-            ? clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.")
-            : clod_compare_tables_put(out, CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, runs,
-                                      count, beside, wall_of, status);
-    json_decref(beside);
-    return good;
+    const loci own = {"wall_locus", CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, wall_of};
+    return put_loci(out, &own, runs, count, lab, status);
 }
 
 bool clod_compare_tables_uniaxial(FILE *out, const clod_run_files *runs, size_t count,

@@ -14,6 +14,6 @@
  * @param out      NULL: only count
  * @param summary  of the run; NULL: none
  * @return         number of warnings
- * Test  tests/report/test_page.py
+ * Test  tests/report/test_free_page.py
  */
 size_t clod_free_warnings_put(FILE *out, const json_t *summary);

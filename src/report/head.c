@@ -63,16 +63,24 @@ size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab)
            clod_free_warnings_put(out, run->summary) + clod_shear_lab_warnings(out, run, lab);
 }
 
-size_t clod_head_lab_items(FILE *out, const json_t *lab)
+size_t clod_head_lab_count(const json_t *lab)
 {
-    return put_study(out, lab);
+    return put_study(NULL, lab);
+}
+
+void clod_head_lab_put(FILE *out, const json_t *lab)
+{
+    if (clod_head_lab_count(lab) > 0) {
+        fputs("<h3>Laboratory points</h3><ul>", out);
+        put_study(out, lab);
+        fputs("</ul>", out);
+    }
 }
 
 void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
 {
     const size_t own = clod_head_items(NULL, run, lab);
-    const size_t labs = clod_head_lab_items(NULL, lab);
-    if (own + labs == 0) {
+    if (own + clod_head_lab_count(lab) == 0) {
         // free runs have no checks that could warn, but for their streams
         fputs(run->kind->checked ? "<p class=\"good\">No warnings.</p>\n" : "", out);
         return;
@@ -80,11 +88,7 @@ void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
     fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>", out);
     clod_head_items(out, run, lab);
     fputs("</ul>", out);
-    if (labs > 0) {
-        fputs("<h3>Laboratory points</h3><ul>", out);
-        clod_head_lab_items(out, lab);
-        fputs("</ul>", out);
-    }
+    clod_head_lab_put(out, lab);
     fputs("</section>\n", out);
 }
 

@@ -21,8 +21,11 @@ void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
  */
 size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab);
 
-/** Those of the evaluation of the laboratory's points. */
-size_t clod_head_lab_items(FILE *out, const json_t *lab);
+/** How many the evaluation of the laboratory's points has. @param lab  NULL: none */
+size_t clod_head_lab_count(const json_t *lab);
+
+/** These in a list under a heading of its own; without any, nothing. */
+void clod_head_lab_put(FILE *out, const json_t *lab);
 
 /** A number of the summary, or of the first of its parts; borrowed; NULL: there is none. */
 const json_t *clod_head_number(const json_t *summary, const char *key);

@@ -37,7 +37,7 @@ bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *
  * Name runs that stand side by side: the last name of each folder, and as many of those above it as
  * it takes for all names to differ. Two of one folder keep one name.
  *
- * @param runs  [count] opened   Test  tests/report/test_page.py
+ * @param runs  [count] opened   Test  tests/report/test_compare.py
  */
 void clod_run_files_names(clod_run_files *runs, size_t count);
 

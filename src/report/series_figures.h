@@ -8,7 +8,7 @@
 #include "report/table.h"
 
 /** Put in those that matter most, or all others; columns that never change are left out.
- *  Errors  the sheet is lost without memory.   Test  tests/report/test_page.py */
+ *  Errors  the sheet is lost without memory.   Test  tests/report/test_free_page.py */
 void clod_series_figures_put(clod_sheet *sheet, const clod_table *series, bool main);
 
 /** All columns with this unit in one figure over time. */

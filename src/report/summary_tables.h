@@ -16,7 +16,7 @@
  *
  * @param title  heading; NULL: none
  * @param from   array or object of objects; borrowed; NULL is fine
- * Test  tests/report/test_page.py
+ * Test  tests/report/test_free_page.py
  */
 void clod_summary_tables_put(FILE *out, const char *title, json_t *from);
 

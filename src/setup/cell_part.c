@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/assert.h"
 #include "base/memory.h"
@@ -11,6 +12,12 @@
 
 /** Free length at both ends of a bar, as a fraction of the smallest radius. */
 #define BAR_CLEARANCE 0.1
+
+void clod_cell_part_begin(const clod_case *from, double adhesion, clod_state *state)
+{
+    *state = (clod_state){.build_motion = -1.0, .adhesion = adhesion};
+    memcpy(state->gravity, from->gravity, sizeof state->gravity);
+}
 
 bool clod_cell_part_walls(clod_state *state, int32_t count, clod_status *status)
 {

@@ -9,6 +9,10 @@
 #include "config/sizes.h"
 #include "state/state.h"
 
+/** The state of a cell before it has walls or grains.
+ *  @param adhesion  fraction of k_adh while it is filled */
+void clod_cell_part_begin(const clod_case *from, double adhesion, clod_state *state);
+
 /** Room for the walls of a cell; their shapes come with clod_cell_part_wall. */
 bool clod_cell_part_walls(clod_state *state, int32_t count, clod_status *status);
 

@@ -1,7 +1,6 @@
 #include "setup/jenike_cell.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/assert.h"
 #include "setup/cell_part.h"
@@ -117,8 +116,7 @@ bool clod_setup_jenike_cell(const clod_case *from, int64_t seed, clod_state *sta
 {
     const clod_case_jenike *cell = &from->jenike;
     clod_sizes sizes;
-    *state = (clod_state){.build_motion = -1.0, .adhesion = cell->fill_adhesion};
-    memcpy(state->gravity, from->gravity, sizeof state->gravity);
+    clod_cell_part_begin(from, cell->fill_adhesion, state);
     if (!make_walls(from, state, status) || !cell_sizes(cell, &sizes, status)) {
         return false;
     }

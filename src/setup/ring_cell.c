@@ -1,7 +1,6 @@
 #include "setup/ring_cell.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/assert.h"
 #include "setup/cell_part.h"
@@ -138,8 +137,7 @@ bool clod_setup_ring_cell(const clod_case *from, int64_t seed, clod_state *state
                           clod_status *status)
 {
     const clod_case_ring_shear *cell = &from->ring_shear;
-    *state = (clod_state){.build_motion = -1.0, .adhesion = cell->fill_adhesion};
-    memcpy(state->gravity, from->gravity, sizeof state->gravity);
+    clod_cell_part_begin(from, cell->fill_adhesion, state);
     double height = 0.0;
     if (!make_walls(from, state, status) || !fill_cell(from, seed, state, &height, status)) {
         return false;

@@ -1,7 +1,6 @@
 #include "setup/wall_friction_cell.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/assert.h"
 #include "config/wall_cells.h"
@@ -146,8 +145,7 @@ bool clod_setup_wall_friction_cell(const clod_case *from, int64_t seed, clod_sta
                                    clod_status *status)
 {
     const clod_case_wall_friction *cell = &from->wall_friction;
-    *state = (clod_state){.build_motion = -1.0, .adhesion = cell->fill_adhesion};
-    memcpy(state->gravity, from->gravity, sizeof state->gravity);
+    clod_cell_part_begin(from, cell->fill_adhesion, state);
     double height = 0.0;
     if (!make_walls(from, state, status) || !fill_cell(from, seed, state, &height, status)) {
         return false;

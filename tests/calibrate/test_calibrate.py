@@ -1,5 +1,6 @@
 """clod calibrate as a user meets it: runs of a known truth, interruption, failures, refusals."""
 
+import datetime
 import json
 import math
 import os
@@ -19,6 +20,7 @@ class Calibrate(bounce.Bounce):
     # ---- what comes out
 
     def test_truth_is_found_and_its_card_can_be_included(self):
+        before = datetime.datetime.now(datetime.timezone.utc)
         told = self.calibrate(PLAN, "-o", "out").stdout
         found = self.found()
         e = found["parameters"]["e"]
@@ -34,6 +36,21 @@ class Calibrate(bounce.Bounce):
         self.check_rows()
         self.check_card(e["mean"])
         self.check_page(e)
+        self.check_version_and_time(before)
+
+    def check_version_and_time(self, before):
+        """Of the clod that was called, and between the moments before and behind the call; the page has them,
+        whatever the time of the file is."""
+        found = self.found()
+        self.assertEqual(found["version"], clod.run("--version").stdout.split("\n")[0])
+        written = datetime.datetime.fromisoformat(found["written"].replace("Z", "+00:00"))
+        shortly = datetime.timedelta(milliseconds=1)  # the text is cut to milliseconds
+        self.assertTrue(before - shortly <= written <= datetime.datetime.now(datetime.timezone.utc))
+        os.utime(self.path("out/calibration.json"), (0, 0))
+        self.assertEqual(clod.run("report", "out", cwd=self.folder).returncode, 0)
+        page = pages.load(self.path("out/report.html"))
+        self.assertEqual(page.row("calibrated by")[1], found["version"])
+        self.assertEqual(page.row("calibration.json written")[1], written.strftime("%Y-%m-%d %H:%M UTC"))
 
     def check_rows(self):
         """Every run by itself: the energy of its own restitution, but for the scatter of 12 masses."""
@@ -113,8 +130,7 @@ class Calibrate(bounce.Bounce):
         for name, time in kept.items():
             self.assertEqual(os.stat(self.path(folder, "runs", name)).st_mtime_ns, time, name)
         for name in RESULTS:
-            self.assertTrue(clod.read(self.path("whole", name)) == clod.read(self.path(folder, name)),
-                            name)
+            self.assertTrue(self.result(name, "whole") == self.result(name, folder), name)
 
     def test_target_held_back_is_added_and_nothing_is_run_again(self):
         self.calibrate(PLAN, "-o", "out")

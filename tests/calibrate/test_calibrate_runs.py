@@ -66,7 +66,7 @@ class Runs(bounce.Bounce):
         self.assertEqual(clod.run(*other, "out/runs/p002-1-bounce", cwd=self.folder).returncode, 0)
         self.calibrate(SHORT, "-o", "out")
         for name in RESULTS:
-            self.assertEqual(clod.read(self.path("whole", name)), clod.read(self.path("out", name)), name)
+            self.assertEqual(self.result(name, "whole"), self.result(name), name)
 
     def test_run_that_is_refused_ends_the_calibration(self):
         self.calibrate(SHORT, "-o", "out")
@@ -101,8 +101,7 @@ class Runs(bounce.Bounce):
                 self.write(name, before)
                 self.calibrate(PLAN, "-o", "out")
                 for result in RESULTS:
-                    self.assertEqual(clod.read(self.path("whole", result)),
-                                     clod.read(self.path("out", result)), result)
+                    self.assertEqual(self.result(result, "whole"), self.result(result), result)
 
     def test_runs_of_another_clod_are_refused(self):
         self.calibrate(SHORT, "-o", "out")
@@ -124,11 +123,11 @@ class Runs(bounce.Bounce):
         self.first_point()
         plan = PLAN.replace("points: 9", "budget: 125 s")
         self.calibrate(plan, "-o", "out", "-j", "2")
-        before = {name: clod.read(self.path("out", name)) for name in RESULTS}
+        before = {name: self.result(name) for name in RESULTS}
         told = self.calibrate(plan, "-o", "out", "-j", "1").stderr
         self.assertIn("6 points fit", told)
         for name, text in before.items():
-            self.assertEqual(clod.read(self.path("out", name)), text, name)
+            self.assertEqual(self.result(name), text, name)
         # another budget is counted anew: 40 s a point
         told = self.calibrate(plan.replace("125 s", "205 s"), "-o", "out", "-j", "1").stderr
         self.assertIn("5 points fit", told)

@@ -121,6 +121,20 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
+/** A drawn solid, with points of its own. */
+typedef struct drawn_solid {
+    clod_curve_point strength[LOCI], rho[LOCI];
+    clod_solid solid;
+} drawn_solid;
+
+static clod_solid *begin_drawn(drawn_solid *self, const laboratory *lab)
+{
+    self->solid = lab->solid;
+    self->solid.strength.points = self->strength;
+    self->solid.rho.points = self->rho;
+    return &self->solid;
+}
+
 /** Share of the laboratories whose 90 % interval holds the truth. */
 static double coverage(const scheme *of)
 {
@@ -129,18 +143,15 @@ static double coverage(const scheme *of)
     size_t held = 0;
     for (uint64_t repeat = 0; repeat < REPEATS; repeat++) {
         measure(&lab, of, repeat);
-        clod_curve_point strength[LOCI];
-        clod_curve_point rho[LOCI];
-        clod_solid drawn = lab.solid;
-        drawn.strength.points = strength;
-        drawn.rho.points = rho;
+        drawn_solid room;
+        clod_solid *drawn = begin_drawn(&room, &lab);
         clod_draw draw;
         assert_true(clod_draw_init(&draw, &lab.solid, repeat + 1));
         for (uint64_t i = 0; i < SAMPLES; i++) {
-            clod_draw_solid(&draw, i, &drawn);
+            clod_draw_solid(&draw, i, drawn);
             double x = 0.0;
-            const clod_curve_meeting how = clod_curve_meet(&drawn.strength, 1.0 / FACTOR, &x);
-            found[i] = how == CLOD_CURVE_MEETS   ? outlet(&drawn)
+            const clod_curve_meeting how = clod_curve_meet(&drawn->strength, 1.0 / FACTOR, &x);
+            found[i] = how == CLOD_CURVE_MEETS   ? outlet(drawn)
                        : how == CLOD_CURVE_BELOW ? 0.0
                                                  : (double)INFINITY;
         }
@@ -221,16 +232,13 @@ static double half_width(bool turned)
         point->x_error = 0.0;
         point->x_spread = NULL;
     }
-    clod_curve_point strength[LOCI];
-    clod_curve_point rho[LOCI];
-    clod_solid drawn = lab.solid;
-    drawn.strength.points = strength;
-    drawn.rho.points = rho;
+    drawn_solid room;
+    clod_solid *drawn = begin_drawn(&room, &lab);
     clod_draw draw;
     assert_true(clod_draw_init(&draw, &lab.solid, 5));
     for (uint64_t i = 0; i < MANY; i++) {
-        clod_draw_solid(&draw, i, &drawn);
-        assert_int_equal(clod_curve_meet(&drawn.strength, 1.0 / FACTOR, &found[i]),
+        clod_draw_solid(&draw, i, drawn);
+        assert_int_equal(clod_curve_meet(&drawn->strength, 1.0 / FACTOR, &found[i]),
                          CLOD_CURVE_MEETS);
     }
     clod_draw_fini(&draw);

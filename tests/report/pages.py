@@ -18,6 +18,10 @@ SHORT = [word for key, value in (("stages.0.duration", "10 ms"), ("stages.1.dura
                                  ("stages.2.duration", "10 ms"), ("output.snapshot_interval", "5 ms"))
          for word in ("--set", f"{key}={value}")]
 
+# shear points of a laboratory at 10 kPa
+LAB = ("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+       "10,7.2,3,3.25,1650\n10,7.2,5,4.5,1650\n10,7.2,7.5,5.75,1650\n")
+
 COMPLETE = "# clod\ntitle: \"%s\"\nmaterials:\n  ore:\n    density: %s kg/m3\n"
 
 FREE = {
@@ -175,12 +179,31 @@ def calibration(folder):
                             "within_two_deviations": 0.95, "sections": sections}}
     kept = {**target, "name": "ring: phi_sf", "measured": 30.25, "model": 29.5, "low": 28.0, "high": 31.0, "held_back": True}
     other = {**target, "name": "ring: sigma_c", "unit": "kPa", "measured": 7.5, "error": 0.25, "model": 7.25, "low": 6.5, "high": 8.0}
-    write(folder, calibration__json={"title": "Two stiffnesses", "level": 0.9, "p_value": 0.4, "chi_square": 1.3, "warnings": ["none"],
+    write(folder, calibration__json={"version": "clod 10 (def)", "written": "2001-02-03T04:05:06.789Z",
+                                     "title": "Two stiffnesses", "level": 0.9, "p_value": 0.4, "chi_square": 1.3, "warnings": ["none"],
                                      "plan": "plan.yaml", "points": 8, "packings": 1, "failed_runs": 0,
                                      "parameters": {"a": about, "b": steep}, "targets": [target, kept, other]}, runs__csv=RUNS,
           design__txt="Runs of a calibration: another plan needs another folder.\nclod clod 9 (abc)\nseed 1, seeds 1\n",
           posterior__csv="a [N/m^1.5],b [J]\n" + "".join(
               f"{text(0.4 + 0.25 * (k + 0.5) / 1200)},{text(2e-4 * 2 ** ((37 * k % 1200 + 0.5) / 1200))}\n" for k in range(1200)))
+
+
+class PageCase(clod.Case):
+    """A test of pages in a folder of its own."""
+
+    def made(self, *arguments, code=0, page=False):
+        done = clod.run(*arguments, cwd=self.folder, page=page)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def page(self, name):
+        return load(self.path(name))
+
+    def assert_curve(self, figure, number, table, x, y, first=0):
+        """The curve has the texts of these columns from row `first` on; nan is null."""
+        curve = figure["curves"][number]
+        self.assertEqual(curve["x"], table[x][first:])
+        self.assertEqual(curve["y"], [None if text == "nan" else text for text in table[y][first:]])
 
 
 def every(folder):

@@ -75,9 +75,22 @@ class Calibration(BrowserCase):
 
     def test_version_and_date(self):
         self.assertEqual(self.page.row("runs computed by")[1], "clod 9 (abc)")
-        self.assertRegex(self.page.row("calibration.json written")[1], r"^\d{4}-\d\d-\d\d \d\d:\d\d UTC$")
+        self.assertEqual(self.page.row("calibrated by")[1], "clod 10 (def)")
+        self.assertEqual(self.page.row("calibration.json written")[1], "2001-02-03 04:05 UTC")
+        self.assertIn(", computed until 2001-02-03 04:05 UTC</p>", self.page.text)
         version = clod.run("--version").stdout.split("\n")[0].split(",")[0]
         self.assertIn(version, self.page.row("page written by")[1])
+
+    def test_time_of_an_older_folder(self):
+        """Without version and time in the file, or with one that is none: the time of the file, and no version of it."""
+        for written in ({}, {"written": "2001"}, {"written": 7}, {"written": "<b>2001-02-03T04:05</b>"}):
+            with open(self.path("fit/calibration.json"), "w") as file:
+                json.dump({**{key: value for key, value in self.found.items() if key not in ("version", "written")}, **written}, file)
+            os.utime(self.path("fit/calibration.json"), (86400, 86400 + 3 * 3600 + 25 * 60))  # of the second day of 1970
+            self.assertEqual(clod.run("report", "fit", cwd=self.folder).returncode, 0)
+            page = pages.load(self.path("fit/report.html"))
+            self.assertEqual(page.row("calibration.json written")[1], "1970-01-02 03:25 UTC")
+            self.assertNotIn("calibrated by", page.text)
 
     def test_tables(self):
         self.assertEqual(self.page.row("a [N/m^1.5]")[1:], ["0.52", "0.41\u00a0to\u00a00.63", "0\u00a0to\u00a01", "linear", "0.22", "yes", "1.001", "812"])

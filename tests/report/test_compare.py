@@ -1,4 +1,4 @@
-"""clod compare: means of runs that differ in their seeds alone, warnings and provenance of every run."""
+"""clod compare: runs side by side, their names, means over seeds, warnings and provenance of every run."""
 
 import html
 import math
@@ -13,7 +13,7 @@ from pages import clod
 RISING = "preshear: shear stress still rising by %s kPa/mm after 14.3 mm of shear"
 
 
-class Compare(clod.Case):
+class Compare(pages.PageCase):
 
     def shear(self, name, seed, shift=0.0, density="2500", warnings=(), **changes):
         """A ring shear test whose cohesion is 1.375 kPa and `shift`."""
@@ -171,6 +171,84 @@ class Compare(clod.Case):
         self.shear("one", 1)
         self.shear("two", 2)
         self.assertIn("No warnings.", "".join(self.compare("one", "two").words))
+
+    def test_more_measures_than_the_table_has(self):
+        """Gauges 0 to 199 are 200 rows; 100 to 259 of another run are 60 more, each of them once."""
+        gauge = pages.FREE["gauges"]["head"]
+        make = lambda name, first, last: pages.free_run(
+            self.path(name), outlets=None, gauges={f"g{k}": gauge for k in range(first, last)})
+        make("one", 0, 200)
+        make("two", 100, 200)
+        make("three", 100, 260)
+        make("four", 200, 260)
+        for names, left_out in ((("one", "two"), None), (("one", "two", "three", "four"), "60")):
+            page = self.compare(*names)
+            rows = [row for row in self.column(page, "one") if row.startswith("mass flow: ")]
+            self.assertEqual(rows, [f"mass flow: g{k} [kg/s]" for k in range(200)])
+            told = re.findall(r"(\d+) more angles of repose, mixing indices and mass flows are in the runs' summary\.json",
+                              "".join(page.words))
+            self.assertEqual(told, [left_out] if left_out else [])
+
+    def test_compare(self):
+        pages.free_run(self.path("one"))
+        pages.free_run(self.path("two"), density="2600", grains=7)
+        pages.free_run(self.path("three"), grains=8)
+        self.assertEqual(self.made("compare", "one", "two", "three").stdout, "compare.html\n")
+        page = self.page("compare.html")
+        self.assertEqual(page.tables[0][0], ["quantity", "one", "two", "three"])
+        self.assertEqual(page.row("grains")[1:], ["120", "7", "8"])
+        self.assertEqual(page.row("materials.ore.density"),
+                         ["materials.ore.density", "2500 kg/m3", "2600 kg/m3", "2500 kg/m3"])
+        series = pages.cells(self.path("one"), "series.csv")
+        figure = page.figures["kinetic-energy"]
+        self.assertEqual([curve["name"] for curve in figure["curves"]], ["one", "two", "three"])
+        for number in range(3):
+            self.assert_curve(figure, number, series, "time", "kinetic_energy")
+        self.assertTrue(os.path.exists(self.path("compare-kinetic-energy.svg")))
+
+    def test_names_of_compared_runs(self):
+        """As many parts of the path as it takes to tell the runs apart, and no more."""
+        for folders, names in ((["a/run", "b/run"], ["a/run", "b/run"]),
+                               (["a/run", "c/a/run", "b/last"], ["a/run", "c/a/run", "last"]),
+                               (["run", "a/run/"], ["run", "a/run"]),
+                               (["b//run", self.path("a/run")], ["b//run", "a/run"]),
+                               (["a/run", "a/run"], ["a/run", "a/run"])):
+            for number, folder in enumerate(folders):
+                pages.free_run(self.path(folder), density=str(2500 + number))
+            self.made("compare", *folders)
+            page = self.page("compare.html")
+            self.assertEqual([curve["name"] for curve in page.figures["kinetic-energy"]["curves"]], names)
+            self.assertEqual(page.tables[0][0][1:], names)
+            if folders[0] != folders[1]:
+                self.assertEqual(page.row("key")[1:], names)
+
+    def test_wall_friction_tests_side_by_side(self):
+        pages.wall(self.path("one"))
+        pages.wall(self.path("two"))
+        self.made("compare", "one", "two", "-o", "both.html")
+        page = self.page("both.html")
+        self.assertEqual([curve["name"] for curve in page.figures["wall-yield-locus"]["curves"]], ["one", "", "two", ""])
+        self.assertEqual(page.row("kinematic angle of wall friction [deg]")[1:], ["φw", "18.25 ± 0.13", "18.25 ± 0.13"])
+        self.assertEqual(len(page.figures["Shear-stress--wall"]["curves"]), 2)
+
+    def test_a_run_named_laboratory(self):
+        """Hollow points are those of --lab, whatever the folders are called."""
+        points = [{"sigma_s_Pa": 3000.0, "prorated_Pa": 3250.0}, {"sigma_s_Pa": 5000.0, "prorated_Pa": 4500.0}]
+        locus = {"sigma_p_Pa": 10000.0, "tau_p_Pa": 7200.0, "c_Pa": 1375.0, "phi_lin_deg": 32.0, "points": points,
+                 "flow": "free-flowing"}
+        complete = pages.COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"
+        for name in ("laboratory", "other"):
+            pages.write(self.path(name), summary__json={"title": "Ring", "locus": {"loci": [locus]}},
+                        **{"case_HYPHEN_complete__yaml": complete})
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(pages.LAB)
+        self.made("compare", "laboratory", "other")
+        curves = self.page("compare.html").figures["yield-locus"]["curves"]
+        self.assertEqual([curve["style"] for curve in curves], ["line", "points", "points"] * 2)
+        self.made("compare", "laboratory", "other", "--lab", "lab.csv")
+        with_lab = self.page("compare.html").figures["yield-locus"]["curves"]
+        self.assertEqual(with_lab[:6], curves)
+        self.assertEqual([curve["style"] for curve in with_lab[6:9]], ["dashed", "hollow", "hollow"])
 
 
 if __name__ == "__main__":

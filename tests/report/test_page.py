@@ -1,4 +1,4 @@
-"""clod report and clod compare: numbers on the page are those in the files; what is refused."""
+"""clod report: numbers on the pages of tests are those in the files, their heads; what is refused."""
 
 import html
 import json
@@ -11,25 +11,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import pages
 from pages import clod
 
-LAB = ("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
-       "10,7.2,3,3.25,1650\n10,7.2,5,4.5,1650\n10,7.2,7.5,5.75,1650\n")
 
-
-class Report(clod.Case):
-
-    def made(self, *arguments, code=0, page=False):
-        done = clod.run(*arguments, cwd=self.folder, page=page)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def page(self, name):
-        return pages.load(self.path(name))
-
-    def assert_curve(self, figure, number, table, x, y, first=0):
-        """The curve has the texts of these columns from row `first` on; nan is null."""
-        curve = figure["curves"][number]
-        self.assertEqual(curve["x"], table[x][first:])
-        self.assertEqual(curve["y"], [None if text == "nan" else text for text in table[y][first:]])
+class Report(pages.PageCase):
 
     def test_ring_shear(self):
         """A real test: the run itself writes the page; laboratory points come over it later."""
@@ -88,7 +71,7 @@ class Report(clod.Case):
 
     def lab_points(self, before):
         with open(self.path("lab.csv"), "w") as file:
-            file.write(LAB)
+            file.write(pages.LAB)
         self.made("report", "ring", "--lab", "lab.csv", "-o", "with.html")
         curves = self.page("with.html").figures["yield-locus"]["curves"]
         self.assertEqual(curves[:len(before["curves"])], before["curves"])
@@ -125,99 +108,6 @@ class Report(clod.Case):
         page = self.page("run/report.html")
         markup = re.sub(r"<script>.*?</script>", "", page.text, flags=re.S)
         self.assertIsNone(re.search(r"\b(src|href)\s*=|<link|@import|url\(\s*[\"']?http", markup))
-
-    def test_free_run(self):
-        pages.free_run(self.path("run"))
-        self.made("report", "run/")
-        page = self.page("run/report.html")
-        series = pages.cells(self.path("run"), "series.csv")
-        self.assert_curve(page.figures["kinetic-energy"], 0, series, "time", "kinetic_energy")
-        self.assert_curve(page.figures["mass-flow"], 0, series, "time", "gauge_head.mass_flow")
-        self.assertNotIn("angle", page.figures)  # it never changes
-        self.assertEqual(page.row("mass flow [kg/s]")[1:], ["0.834 ± 0.020"])
-        self.assertIn('<td title="0.8343702206 &plusmn; 0.0204139 kg/s">', page.text)
-        self.assertEqual(page.row("grains")[1], "166083")
-        self.assertEqual(page.row("mean [s]")[1:], ["1.644"])
-        self.assertNotIn("x min", [row[1] for table in page.tables for row in table if len(row) > 1])
-        self.assertEqual(page.items, ["Gauge head gave alarm of blocking 2 times, and is blocked at the end."])
-        # names from the case are text, never markup
-        self.assertIn("<h1>A &lt;chute&gt; &amp; more</h1>", page.text)
-        for text in ("2.5 s", "1.2 %", "61.5"):
-            self.assertIn(text, page.words)
-
-    def plugged(self, **changes):
-        """The page of a run that comes to a stand: inlets, an alarm, spillage."""
-        inlets = [{"group": 0, "grains": 9, "mass_kg": 36.64, "backlog_kg": 18.9055, "most_backlog_kg": 18.9055,
-                   "blocked_insertions": 1757, "blocked_since_s": 3.247},
-                  {"group": 2, "grains": 9, "mass_kg": 4.0, "backlog_grains": 0.0, "most_backlog_grains": 12.0,
-                   "blocked_insertions": 3},
-                  {"group": 3, "grains": 9, "mass_kg": 4.0, "backlog_kg": 0.0, "most_backlog_kg": 0.0,
-                   "blocked_insertions": 0}]
-        gauges = {"chute": {"alarms": 2, "blocked_since_s": 1.18, "blocked_at_end": True, "blocked_at_end_since_s": 3.2},
-                  "head": {"alarms": 1, "blocked_since_s": 2.5, "blocked_at_end": False, "blocked_at_end_since_s": None},
-                  "exit": {"alarms": 0, "blocked_since_s": None, "blocked_at_end": False}}
-        balance = {"in": {"grains": 27, "mass_kg": 40.0}, "inside": {"grains": 9, "mass_kg": 24.25},
-                   "out": {"outlet_a": {"grains": 5, "mass_kg": 15.5}, "left_z_min": {"grains": 6, "mass_kg": 0.25}},
-                   "spillage": {"grains": 6, "mass_kg": 0.25}, "lost": {"grains": 0, "mass_kg": 1e-14}}
-        pages.free_run(self.path("run"), **{"inlets": inlets, "gauges": gauges, "balance": balance, **changes})
-        pages.write(self.path("run"), series__csv=(
-            "time [s],inlet_1.backlog [kg],gauge_a.mass_flow [kg/s],gauge_b.mass_flow [kg/s],balance.in [1],"
-            "balance_in.mass_flow [kg/s],balance_out.mass_flow [kg/s],clumps.d10 [m],clumps_a.d10 [m],"
-            "feed.power [W],gauge_a.power [W]\n0,1,1,1,1,1,1,1,1,1,1\n1,2,2,2,2,2,2,2,2,2,2\n"))
-        self.made("report", "run")
-        return self.page("run/report.html")
-
-    def test_warnings_of_streams(self):
-        page = self.plugged()
-        self.assertEqual(page.items, [
-            "Inlet 1 has been blocked since 3.247 s: 18.91 kg wait for a place.",
-            "Inlet 2 was blocked for a time: up to 12 grains waited for a place; 0 wait at the end.",
-            "Gauge chute gave alarm of blocking 2 times, the first from 1.18 s on, and is blocked at the end, since 3.2 s.",
-            "Gauge head gave alarm of blocking 1 time from 2.5 s on.",
-            "6 grains were spilled: 0.25 kg, 0.62 % of what came in."])
-        self.assertLess(page.text.index('id="warnings"'), page.text.index('class="cards"'))
-        # in, out, inside and lost in place of what a bed at rest has
-        cards = re.findall(r'<div class="card"><b>([^<]*)</b><span>([^<]*)</span>', page.text)
-        self.assertEqual(cards[-4:], [("40 kg", "came in"), ("15.75 kg", "went out"), ("24.25 kg", "inside at the end"),
-                                      ("0", "grains lost")])
-        self.assertNotIn("kinetic energy", [caption for _, caption in cards])
-        free = {"alarms": 0}
-        page = self.plugged(inlets=[], gauges={"chute": free}, balance={})
-        self.assertEqual(page.items, [])
-        self.assertNotIn('id="warnings"', page.text)
-
-    def test_curves_are_named(self):
-        """A title says whose the curves are: of one object, or of several of one kind."""
-        titles = sorted(figure["title"] for figure in self.plugged().figures.values())
-        self.assertEqual(titles, ["Backlog: inlet 1", "D10: clumps", "In: balance", "Mass flow", "Power"])
-
-    def test_names_of_figures_are_unique(self):
-        """Two figures that ask for one name: each has its place in the page, its file and its curve."""
-        gauges = {name: pages.FREE["gauges"]["head"] for name in ("a_b", "a-b")}
-        pages.free_run(self.path("run"), gauges=gauges)
-        pages.write(self.path("run"), series__csv="time [s],belt.energy [J],clumps [1]\n0,1,4\n1,2,5\n2,4,9\n",
-                    energy__csv="time [s],kinetic [J],heat [J]\n0,7,8\n1,6,9\n",
-                    residence__csv="from [s],to [s],grains [1],share_up_to [1]\n1,1.5,1,0.25\n1.5,2,3,1\n",
-                    clumps__csv="time [s],count,from,to,share [1]\n0,0,1,2,0.25\n0,0,3,4,0.75\n",
-                    gauge_a_b_HYPHEN_profile__csv="x [m],lower [m],mean [m],upper [m]\n0,1,2,3\n1,2,3,4\n",
-                    **{"gauge_a_HYPHEN_b_HYPHEN_profile__csv": "x [m],lower [m],mean [m],upper [m]\n0,5,6,7\n1,6,7,8\n"})
-        self.made("report", "run")
-        page = self.page("run/report.html")
-        names = ["clumps", "clumps-2", "energy", "energy-ledger", "gauge-a-b-profile", "gauge-a-b-profile-2",
-                 "residence"]
-        ids = re.findall(r'<figure [^>]*id="figure-([^"]*)"', page.text)
-        self.assertEqual(sorted(ids), names)
-        self.assertEqual(sorted(re.findall(r'<clipPath id="clip-([^"]*)"', page.text)), names)
-        self.assertEqual(sorted(page.figures), names)
-        files = sorted(name for name in os.listdir(self.path("run")) if name.endswith(".svg"))
-        self.assertEqual(files, sorted(f"report-{name}.svg" for name in names))
-        for name, first in (("energy", ["1", "2", "4"]), ("energy-ledger", ["7", "6"]),
-                            ("gauge-a-b-profile", ["1", "2"]), ("gauge-a-b-profile-2", ["5", "6"]),
-                            ("residence", ["0.25", "1"]), ("clumps", ["0.25", "0.75"]), ("clumps-2", ["4", "5", "9"])):
-            self.assertEqual(page.figures[name]["curves"][0]["y"], first, name)
-            svg = xml.etree.ElementTree.parse(self.path(f"run/report-{name}.svg")).getroot()
-            title = svg.find("{http://www.w3.org/2000/svg}title").text
-            self.assertEqual(title, page.figures[name]["title"])
 
     def test_uniaxial(self):
         pages.uniaxial(self.path("run"))
@@ -259,15 +149,6 @@ class Report(clod.Case):
         for text in ("10.0015 ± 0.0035", "3.361 ± 0.013", "18.576 ± 0.065", "not steady"):
             self.assertTrue(any(text in cell for table in page.tables for row in table for cell in row), text)
 
-    def test_wall_friction_tests_side_by_side(self):
-        pages.wall(self.path("one"))
-        pages.wall(self.path("two"))
-        self.made("compare", "one", "two", "-o", "both.html")
-        page = self.page("both.html")
-        self.assertEqual([curve["name"] for curve in page.figures["wall-yield-locus"]["curves"]], ["one", "", "two", ""])
-        self.assertEqual(page.row("kinematic angle of wall friction [deg]")[1:], ["φw", "18.25 ± 0.13", "18.25 ± 0.13"])
-        self.assertEqual(len(page.figures["Shear-stress--wall"]["curves"]), 2)
-
     def test_a_run_that_goes_on(self):
         pages.free_run(self.path("run"))
         os.remove(self.path("run/report.txt"))
@@ -303,58 +184,6 @@ class Report(clod.Case):
             self.assertEqual("computed until" in "".join(page.words), told, log)
             self.assertEqual(page.row("last entry of the log")[1], "2026-01-31T12:34:56Z" if told else "not known")
 
-    def test_compare(self):
-        pages.free_run(self.path("one"))
-        pages.free_run(self.path("two"), density="2600", grains=7)
-        pages.free_run(self.path("three"), grains=8)
-        self.assertEqual(self.made("compare", "one", "two", "three").stdout, "compare.html\n")
-        page = self.page("compare.html")
-        self.assertEqual(page.tables[0][0], ["quantity", "one", "two", "three"])
-        self.assertEqual(page.row("grains")[1:], ["120", "7", "8"])
-        self.assertEqual(page.row("materials.ore.density"),
-                         ["materials.ore.density", "2500 kg/m3", "2600 kg/m3", "2500 kg/m3"])
-        series = pages.cells(self.path("one"), "series.csv")
-        figure = page.figures["kinetic-energy"]
-        self.assertEqual([curve["name"] for curve in figure["curves"]], ["one", "two", "three"])
-        for number in range(3):
-            self.assert_curve(figure, number, series, "time", "kinetic_energy")
-        self.assertTrue(os.path.exists(self.path("compare-kinetic-energy.svg")))
-
-    def test_names_of_compared_runs(self):
-        """As many parts of the path as it takes to tell the runs apart, and no more."""
-        for folders, names in ((["a/run", "b/run"], ["a/run", "b/run"]),
-                               (["a/run", "c/a/run", "b/last"], ["a/run", "c/a/run", "last"]),
-                               (["run", "a/run/"], ["run", "a/run"]),
-                               (["b//run", self.path("a/run")], ["b//run", "a/run"]),
-                               (["a/run", "a/run"], ["a/run", "a/run"])):
-            for number, folder in enumerate(folders):
-                pages.free_run(self.path(folder), density=str(2500 + number))
-            self.made("compare", *folders)
-            page = self.page("compare.html")
-            self.assertEqual([curve["name"] for curve in page.figures["kinetic-energy"]["curves"]], names)
-            self.assertEqual(page.tables[0][0][1:], names)
-            if folders[0] != folders[1]:
-                self.assertEqual(page.row("key")[1:], names)
-
-    def test_a_run_named_laboratory(self):
-        """Hollow points are those of --lab, whatever the folders are called."""
-        points = [{"sigma_s_Pa": 3000.0, "prorated_Pa": 3250.0}, {"sigma_s_Pa": 5000.0, "prorated_Pa": 4500.0}]
-        locus = {"sigma_p_Pa": 10000.0, "tau_p_Pa": 7200.0, "c_Pa": 1375.0, "phi_lin_deg": 32.0, "points": points,
-                 "flow": "free-flowing"}
-        complete = pages.COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"
-        for name in ("laboratory", "other"):
-            pages.write(self.path(name), summary__json={"title": "Ring", "locus": {"loci": [locus]}},
-                        **{"case_HYPHEN_complete__yaml": complete})
-        with open(self.path("lab.csv"), "w") as file:
-            file.write(LAB)
-        self.made("compare", "laboratory", "other")
-        curves = self.page("compare.html").figures["yield-locus"]["curves"]
-        self.assertEqual([curve["style"] for curve in curves], ["line", "points", "points"] * 2)
-        self.made("compare", "laboratory", "other", "--lab", "lab.csv")
-        with_lab = self.page("compare.html").figures["yield-locus"]["curves"]
-        self.assertEqual(with_lab[:6], curves)
-        self.assertEqual([curve["style"] for curve in with_lab[6:9]], ["dashed", "hollow", "hollow"])
-
     def test_a_laboratory_at_another_preshear_stress(self):
         """Strengths belong to the preshear stress: a warning names both; within a twentieth they are the same."""
         pages.shear(self.path("ring"))  # 10 kPa
@@ -368,30 +197,10 @@ class Report(clod.Case):
             self.assertEqual([item.startswith(told % warned) for item in found], [True] if warned else [], stress)
         pages.shear(self.path("other"))
         with open(self.path("lab.csv"), "w") as file:
-            file.write(LAB.replace("\n10,7.2", "\n20,7.2"))
+            file.write(pages.LAB.replace("\n10,7.2", "\n20,7.2"))
         self.made("compare", "ring", "other", "--lab", "lab.csv")
         found = [item for item in self.page("compare.html").items if "preshear stress of" in item]
         self.assertEqual([item.startswith("All 2 runs: " + told % "20.000") for item in found], [True])
-
-    def test_cards_of_what_was_measured(self):
-        """Angle of repose with its error, mixing, mass flow of gauges; then no kinetic energy of grains at rest."""
-        repose = {"heap": {"angle_deg": 28.159265, "error_deg": 0.9116774, "mean_deg": 28.159265, "deviation_deg": 7e-9, "height_m": 0.0457, "strips": 7},
-                  "none": {"angle_deg": None, "error_deg": None, "mean_deg": None, "deviation_deg": None, "height_m": None, "strips": 0}}
-        mixing = {"drum": {"by": "number", "lacey": 0.8731, "mean": 0.85, "deviation": 0.012, "share": 0.5}}
-        pages.free_run(self.path("run"), repose=repose, mixing=mixing, outlets=None)
-        self.made("report", "run")
-        page = self.page("run/report.html")
-        cards = re.findall(r'<div class="card"><b(?: title="([^"]*)")?>(.*?)</b><span>(.*?)</span>', page.text)
-        plain = [(html.unescape(title), html.unescape(re.sub("<[^>]*>", "", number)), caption) for title, number, caption in cards]
-        self.assertEqual(plain[:3], [("28.159265 ± 0.9116774 deg", "28.16 ± 0.91 deg", "angle of repose: heap"),
-                                     ("0.8731", "0.873", "mixing index (Lacey): drum"),
-                                     ("0.8343702206 ± 0.0204139 kg/s", "0.834 ± 0.020 kg/s", "mass flow, mean and deviation: head")])
-        self.assertNotIn("kinetic energy", [caption for *_, caption in plain])
-        self.assertEqual(page.row("angle [deg]")[1], "28.16 ± 0.91")
-        self.assertEqual(page.row("mean [deg]")[1], "28.16")  # its deviation is below what is told
-        pages.free_run(self.path("bed"), gauges={}, outlets=None)
-        self.made("report", "bed")
-        self.assertIn("<span>kinetic energy</span>", self.page("bed/report.html").text)
 
     def test_a_locus_without_class_of_flow(self):
         """Without strength there is no flowability, and no class of it."""
@@ -406,19 +215,13 @@ class Report(clod.Case):
         self.made("compare", "one", "two")
         self.assertEqual(self.page("compare.html").row("flow (Jenike)")[2:], ["-", "-"])
 
-    def test_more_outlets_than_a_table_holds(self):
-        one = pages.FREE["outlets"]["delivered"]
-        pages.free_run(self.path("run"), outlets={f"lip{k}": one for k in range(70)})
-        self.made("report", "run")
-        self.assertIn("6 more of them, and 0 more numbers of these, are in summary.json.", self.page("run/report.html").text)
-
     def test_refusals(self):
         pages.free_run(self.path("run"))
         pages.uniaxial(self.path("other"))
         os.mkdir(self.path("empty"))
         pages.write(self.path("fitted"), calibration__json={})
         with open(self.path("lab.csv"), "w") as file:
-            file.write(LAB)
+            file.write(pages.LAB)
         with open(self.path("design.json"), "w") as file:
             file.write("{}")
         for arguments, text in ((["report"], "which run?"),

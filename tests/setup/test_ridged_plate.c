@@ -35,6 +35,16 @@ static const char *text_of(const char *cell, const char *ridges)
     return text;
 }
 
+/** The cell as it is set up; owned: cell_end. @param set  another value of a key, or NULL */
+static clod_case *begin_cell(const char *cell, const char *ridges, const char *set,
+                             clod_state *state)
+{
+    clod_status failed = {0};
+    clod_case *from = case_of(text_of(cell, ridges), set);
+    assert_true(clod_setup_wall_friction_cell(from, 1, state, &failed));
+    return from;
+}
+
 // ---- geometry
 
 /** Distance of a point from the plate [m]: the least of those from its shapes. */
@@ -79,9 +89,7 @@ enum { ACROSS = 41 };
 static void check_straight(const char *ridges, section of)
 {
     clod_state s;
-    clod_status failed = {0};
-    clod_case *from = case_of(text_of(STRAIGHT, ridges), NULL);
-    assert_true(clod_setup_wall_friction_cell(from, 1, &s, &failed));
+    clod_case *from = begin_cell(STRAIGHT, ridges, NULL, &s);
     for (int h = 0; h < 5; h++) {
         for (int k = 0; k < ACROSS; k++) {
             // the front is one spacing of 6 mm before the disc of 30 mm, a crest 3 mm behind it
@@ -117,9 +125,7 @@ static void a_straight_plate_has_the_section_of_the_case(void **state)
 static void check_ring(const char *ridges, section of)
 {
     clod_state s;
-    clod_status failed = {0};
-    clod_case *from = case_of(text_of(RING, ridges), NULL);
-    assert_true(clod_setup_wall_friction_cell(from, 1, &s, &failed));
+    clod_case *from = begin_cell(RING, ridges, NULL, &s);
     for (int h = 0; h < 5; h++) {
         for (int k = 0; k < ACROSS; k++) {
             const double angle = 2.0 * M_PI * k / ACROSS, radius = 40e-3 + 0.2e-3 * k;
@@ -157,10 +163,8 @@ static void grains_begin_above_the_crests(void **state)
     const char *const cells[] = {RING, STRAIGHT};
     for (int c = 0; c < 2; c++) {
         clod_state s;
-        clod_status failed = {0};
-        clod_case *from = case_of(text_of(cells[c], "height: 2 mm, spacing: 6 mm"),
-                                  "wall_friction.grain_count=auto");
-        assert_true(clod_setup_wall_friction_cell(from, 1, &s, &failed));
+        clod_case *from = begin_cell(cells[c], "height: 2 mm, spacing: 6 mm",
+                                     "wall_friction.grain_count=auto", &s);
         assert_true(s.grains.count > 100);
         cell_check_nothing_touches(&s);
         cell_end(from, &s);
