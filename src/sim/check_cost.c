@@ -144,6 +144,7 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
                                                             .step = report->step,
                                                             .duration = report->time_most,
                                                             .pictures = report->snapshots_most,
+                                                            .rows = report->rows_most,
                                                             .parts = parts,
                                                             .beside = report->side_by_side});
     report->fields_clock = fields.clock;

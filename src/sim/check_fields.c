@@ -32,6 +32,7 @@ clod_check_fields_cost clod_check_fields_of(const clod_case *from,
                                             const clod_check_fields_run *run)
 {
     clod_check_fields_cost all = {0};
+    const bool test = clod_case_tester(from) != NULL;
     for (size_t k = 0; k < from->field_count; k++) {
         const clod_case_field *field = &from->fields[k];
         const bool grid = field->cell > 0.0;
@@ -40,7 +41,8 @@ clod_check_fields_cost clod_check_fields_of(const clod_case *from,
         const double sampled = grid ? grid_time(from, run) : run->duration;
         const double frames = grid && field->frames ? run->pictures : 0.0;
         const double files = grid ? run->parts + frames : 0.0;
-        const double samples = sampled / fmax(field->interval, run->step) + frames;
+        const double due = sampled / fmax(field->interval, run->step);
+        const double samples = frames + (test ? fmin(due, run->rows) : due);
         const double sums = grid ? points * CLOD_CONTINUUM_SUMS * NUMBER_BYTES : 0.0;
         all.clock += samples * sample_time(field, run->grains);
         all.memory += run->beside * points * POINT_BYTES + run->parts * sums;

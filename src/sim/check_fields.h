@@ -10,6 +10,7 @@
 typedef struct clod_check_fields_run {
     double grains, step, duration; ///< s of simulated time, in steps of `step` s
     double pictures;               ///< snapshots
+    double rows;                   ///< of all series: a test has no more samples
     double parts, beside;          ///< of a test: how many, and how many side by side; else 1
 } clod_check_fields_run;
 
