@@ -114,6 +114,14 @@ class PartMeasures(clod.Case):
             with self.subTest(part):
                 self.check_grid(part, mass)
                 self.check_mixing(part)
+        done = clod.run("report", self.path("out"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = clod.read(self.path("out/report.html")).decode()
+        told = self.parts["preshear"]["fields"]["grid"]
+        self.assertEqual(page.count("Slices of the fields, preshear</h2>"), 1)
+        self.assertIn("Plane y = -2.5 mm: layer 12 of 24 of the grid's cells across y", page)
+        self.assertIn(f"Mean of {told['samples']} samples from {told['since_s']:.6g} s on; cells of 5 mm", page)
+        self.assertTrue(os.path.exists(self.path("out/report-field-grid-speed.svg")))
 
 
 if __name__ == "__main__":
