@@ -136,7 +136,7 @@ if(NOT TARGET clod_calibrate)
 endif()
 if(CLOD_SANITIZE)
   # What these look at (numbers, progress lines) does not depend on the build, and takes long.
-  list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|jenike|uniaxial|wall_friction|fields_testers|terminal)\\.py$")
+  list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|jenike|uniaxial|wall_friction|fields_testers|grids_testers|terminal)\\.py$")
   # Simulations of a minute; tests/calibrate/test_plan.c has the texts of wrong plans.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "calibrate/test_calibrate_(plan|runs)\\.py$")
   # Faults are injected by a preloaded library, which the sanitizers do not go with.
@@ -147,7 +147,7 @@ endif()
 list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "tests/python/")
 if(TARGET clod_shared)
   foreach(name IN ITEMS test_python test_null test_rising test_surface_names test_ranks test_mpi4py
-                          test_chute_study test_copper_ore_study test_slices)
+                          test_chute_study test_copper_ore_study test_slices test_part_measures)
     add_test(NAME python/${name}
       COMMAND /usr/bin/python3 -B ${CMAKE_SOURCE_DIR}/tests/python/${name}.py)
     set_tests_properties(python/${name} PROPERTIES LABELS python TIMEOUT ${CLOD_TEST_SECONDS}

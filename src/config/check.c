@@ -194,9 +194,8 @@ bool clod_check_pair_needed(const clod_case *self, int a, int b)
 /** Which kind of case this is, and what does not go together. */
 static void check_kind(clod_loader *loader, const clod_case *self)
 {
-    static const char *const FREE[] = {"grains",      "walls",  "outlets", "gauges",
-                                       "stages",      "domain", "clumps",  "build_up",
-                                       "history_map", "mixing", "repose"};
+    static const char *const FREE[] = {"grains", "walls",  "outlets",  "gauges",     "stages",
+                                       "domain", "clumps", "build_up", "history_map"};
     static const char *const RUN[] = {"walls",       "outlets", "gauges", "domain", "gravity",
                                       "time",        "output",  "seed",   "clumps", "build_up",
                                       "history_map", "fields",  "mixing", "repose"};
@@ -209,6 +208,13 @@ static void check_kind(clod_loader *loader, const clod_case *self)
                             "%s makes its own cell and stages; remove %s, or %s", tester,
                             FREE[i], tester);
         }
+    }
+    if (tester != NULL && clod_check_has(loader, "repose")) {
+        clod_check_fail(
+            loader, "repose",
+            "the bed of %s lies under a lid and has no slope: the angle of repose is "
+            "a measure of free runs; remove repose, or %s",
+            tester, tester);
     }
     for (int k = CLOD_CASE_KINDS; k-- > (int)clod_case_kind_of(self) + 1;) {
         const clod_config_tester *other = &CLOD_CONFIG_TESTER[k];

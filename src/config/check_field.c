@@ -133,13 +133,7 @@ static void check_field(clod_loader *loader, const clod_case *self,
         !clod_check_region(loader, path, &field->region)) {
         return;
     }
-    if (field->cell > 0.0 && clod_case_tester(self) != NULL) {
-        fail(
-            loader, field, "cell",
-            "%s has means over regions, in the series of its parts: leave out cell, and give a "
-            "field for each region, for instance for each slice of its height",
-            clod_case_tester(self));
-    } else if (field->cell == 0.0 && field->width > 0.0) {
+    if (field->cell == 0.0 && field->width > 0.0) {
         fail(
             loader, field, "width",
             "is that of a grid; give it a cell, for instance cell: %.3g m, or leave out width: "

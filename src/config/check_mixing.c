@@ -32,6 +32,15 @@ static void check_kinds(clod_loader *loader, const clod_case *self, const char *
                         const clod_case_mixing *mixing)
 {
     char key[CLOD_LOAD_PATH + 16];
+    const char *tester = clod_case_tester(self);
+    if (tester != NULL && (mixing->material != NULL || mixing->above == 0.0)) {
+        snprintf(key, sizeof key, "%s%s", path, mixing->material != NULL ? ".material" : "");
+        clod_check_fail(loader, key,
+                        "all grains of %s are of one material: tell two kinds of them apart by "
+                        "their radius, for instance above: 3 mm",
+                        tester);
+        return;
+    }
     const bool both = mixing->material != NULL && mixing->above > 0.0;
     snprintf(key, sizeof key, "%s%s", path, both ? ".above" : "");
     if (both || (mixing->material == NULL && mixing->above == 0.0)) {

@@ -254,7 +254,7 @@ static const clod_param ROWS[] = {
      CLOD_AT(C, fields),
      CLOD_COUNT(C, field_count),
      .help = "Grids or regions in which density, velocity, stress and more are measured, by "
-             "name; a test has regions only.",
+             "name.",
      .source = "docs/fields.md"},
     {.key = "mixing",
      .kind = CLOD_PARAM_MAP,
@@ -262,7 +262,7 @@ static const clod_param ROWS[] = {
      .table = &CLOD_TABLE_MIXING,
      CLOD_AT(C, mixings),
      CLOD_COUNT(C, mixing_count),
-     .help = "Lacey's mixing index of two kinds of grains of a free run, by name.",
+     .help = "Lacey's mixing index of two kinds of grains, by name.",
      .source = "docs/mixing.md"},
     {.key = "repose",
      .kind = CLOD_PARAM_MAP,
@@ -270,7 +270,8 @@ static const clod_param ROWS[] = {
      .table = &CLOD_TABLE_REPOSE,
      CLOD_AT(C, reposes),
      CLOD_COUNT(C, repose_count),
-     .help = "Angle of repose of heaps and slopes of a free run, by name.",
+     .help =
+         "Angle of repose of heaps and slopes of a free run, by name; a test has a lid on its bed.",
      .source = "docs/mixing.md"},
     {.key = "walls",
      .kind = CLOD_PARAM_MAP,

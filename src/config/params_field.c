@@ -42,8 +42,9 @@ static const clod_param FIELD[] = {
      .example = "10 mm",
      CLOD_AT(F, cell),
      .used = has_cell,
-     .help = "Edge of a cell: values are those at the middles of the cells, in "
-             "field_NAME.hdf. Without it the field is one mean over the region, in the series.",
+     .help =
+         "Edge of a cell: values are those at the middles of the cells, in "
+         "field_NAME.hdf, of each part of a test in PART_field_NAME.hdf. Without it the field is one mean over the region, in the series.",
      .source = "docs/fields.md"},
     {.key = "width",
      .kind = CLOD_PARAM_REAL,

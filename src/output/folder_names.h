@@ -25,7 +25,7 @@
 #define CLOD_FOLDER_SPARE                                                                      \
     "(restart(-" CLOD_FOLDER_PART ")?(-failed|-at-[0-9]+)?_[ab][.]h5|"                         \
     "(" CLOD_FOLDER_PART "_)?(snap|walls|contacts)_[0-9]{6,}[.]hdf|history_map[.]hdf|"         \
-    "field_[A-Za-z0-9_]+(-[0-9]{6,})?[.]hdf([.]series)?|"                                      \
+    "(" CLOD_FOLDER_PART "_)?field_[A-Za-z0-9_]+(-[0-9]{6,})?[.]hdf([.]series)?|"              \
     "(run|" CLOD_FOLDER_PART ")((_walls|_contacts)?[.]hdf[.]series|[.]pvsm))([.]part)?"
 
 /**

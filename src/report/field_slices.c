@@ -1,6 +1,7 @@
 #include "report/field_slices.h"
 
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "report/field_figure.h"
@@ -27,7 +28,9 @@ static void put_field(clod_sheet *sheet, const clod_field_figure *self)
     }
 }
 
-bool clod_field_slices_put(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+/** Slices of the grids of one object of the summary. @param part  of a test; NULL: a free run */
+static bool put_grids(clod_sheet *sheet, const clod_run_files *run, json_t *grids,
+                      const char *part, clod_status *status)
 {
     bool good = true;
     bool any = false;
@@ -35,16 +38,19 @@ bool clod_field_slices_put(clod_sheet *sheet, const clod_run_files *run, clod_st
     json_t *grid;
     double gravity[3];
     clod_run_files_gravity(run, gravity);
-    json_object_foreach(json_object_get(run->summary, "fields"), name, grid)
+    json_object_foreach(grids, name, grid)
     {
-        char path[4096];
-        snprintf(path, sizeof path, "%s/field_%s.hdf", run->folder, name);
+        char path[4096], heading[128];
+        snprintf(path, sizeof path, "%s/%s%sfield_%s.hdf", run->folder,
+                 part != NULL ? part : "", part != NULL ? "_" : "", name);
         // a mean over a region has no grid; without its corner it is of an older clod
         if (!good || json_object_get(grid, "corner_m") == NULL || access(path, F_OK) != 0) {
             continue;
         }
         if (!any) {
-            clod_html_section(sheet->body, "slices", "Slices of the fields");
+            snprintf(heading, sizeof heading, "Slices of the fields%s%s",
+                     part != NULL ? ", " : "", part != NULL ? part : "");
+            clod_html_section(sheet->body, "slices", heading);
             any = true;
         }
         clod_field_slice slice;
@@ -59,4 +65,33 @@ bool clod_field_slices_put(clod_sheet *sheet, const clod_run_files *run, clod_st
         clod_field_slice_fini(&slice);
     }
     return good;
+}
+
+bool clod_field_slices_put(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+{
+    return put_grids(sheet, run, json_object_get(run->summary, "fields"), NULL, status);
+}
+
+/** Whether the solid is sheared or crushed in a phase. */
+static bool is_main(const char *phase)
+{
+    return phase != NULL && (strcmp(phase, "preshear") == 0 || strcmp(phase, "shear") == 0 ||
+                             strcmp(phase, "crush") == 0);
+}
+
+bool clod_field_slices_put_part(clod_sheet *sheet, const clod_run_files *run,
+                                clod_status *status)
+{
+    size_t k;
+    json_t *part;
+    json_array_foreach(json_object_get(run->summary, "parts"), k, part)
+    {
+        json_t *grids = json_object_get(part, "fields");
+        const json_t *first = json_object_iter_value(json_object_iter(grids));
+        const char *name = json_string_value(json_object_get(part, "part"));
+        if (name != NULL && is_main(json_string_value(json_object_get(first, "phase")))) {
+            return put_grids(sheet, run, grids, name, status);
+        }
+    }
+    return true;
 }

@@ -13,3 +13,11 @@
  * Errors  CLOD_USAGE: a damaged file; CLOD_FAILED: memory.   Test  tests/python/test_slices.py
  */
 bool clod_field_slices_put(clod_sheet *sheet, const clod_run_files *run, clod_status *status);
+
+/**
+ * The same of a test: those of the first part that shears or crushes its specimen, the preshear of a
+ * shear test.
+ * Errors  as above.   Test  tests/python/test_part_measures.py
+ */
+bool clod_field_slices_put_part(clod_sheet *sheet, const clod_run_files *run,
+                                clod_status *status);

@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "clod/wall_locus.h"
 #include "report/cards.h"
+#include "report/field_slices.h"
 #include "report/html.h"
 #include "report/part_curves.h"
 #include "report/rounded.h"
@@ -225,7 +226,7 @@ bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json
     clod_sheet_columns(sheet, true);
     const bool good = put_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    return good;
+    return good && clod_field_slices_put_part(sheet, run, status);
 }
 
 // ---- laboratory

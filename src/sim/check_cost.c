@@ -139,8 +139,14 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
         columns = (double)tester->first->procedure.column_count;
     }
     plan_outputs(from, parts, report);
-    const clod_check_fields_cost fields = clod_check_fields_of(
-        from, (double)report->grains, report->step, report->time_most, report->snapshots_most);
+    const clod_check_fields_cost fields =
+        clod_check_fields_of(from, &(clod_check_fields_run){.grains = (double)report->grains,
+                                                            .step = report->step,
+                                                            .duration = report->time_most,
+                                                            .pictures = report->snapshots_most,
+                                                            .rows = report->rows_most,
+                                                            .parts = parts,
+                                                            .beside = report->side_by_side});
     report->fields_clock = fields.clock;
     report->fields_memory = fields.memory;
     report->clock_likely += fields.clock;
@@ -155,7 +161,7 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
                              fields.disk;
     // two of each part are kept, and a third is there while it is written
     report->disk_checkpoints =
-        3.0 * parts * grains * (STORED_GRAIN + CONTACTS * STORED_CONTACT);
+        3.0 * parts * (grains * (STORED_GRAIN + CONTACTS * STORED_CONTACT) + fields.stored);
     report->disk = report->disk_series + report->disk_snapshots + report->disk_checkpoints;
 }
 

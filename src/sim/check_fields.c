@@ -19,24 +19,34 @@ static double sample_time(const clod_case_field *field, double grains)
                              : met * MEAN_TIME;
 }
 
-clod_check_fields_cost clod_check_fields_of(const clod_case *from, double grains, double step,
-                                            double duration, double pictures)
+/** Simulated time in which a grid is sampled [s]: a test samples all of it. */
+static double grid_time(const clod_case *from, const clod_check_fields_run *run)
+{
+    const clod_steady_time steady = clod_steady_time_of(from, 0.0, run->step);
+    return clod_case_tester(from) != NULL
+               ? run->duration
+               : clod_steady_time_within(&steady, 0.0, run->duration);
+}
+
+clod_check_fields_cost clod_check_fields_of(const clod_case *from,
+                                            const clod_check_fields_run *run)
 {
     clod_check_fields_cost all = {0};
-    const clod_steady_time steady = clod_steady_time_of(from, 0.0, step);
+    const bool test = clod_case_tester(from) != NULL;
     for (size_t k = 0; k < from->field_count; k++) {
         const clod_case_field *field = &from->fields[k];
         const bool grid = field->cell > 0.0;
         const clod_continuum made = clod_fields_make(field);
         const double points = (double)clod_continuum_points(&made);
-        const double sampled =
-            grid ? clod_steady_time_within(&steady, 0.0, duration) : duration;
-        const double files = grid ? 1.0 + (field->frames ? pictures : 0.0) : 0.0;
-        const double frames = grid && field->frames ? pictures : 0.0;
-        const double samples = sampled / fmax(field->interval, step) + frames;
-        all.clock += samples * sample_time(field, grains);
-        all.memory +=
-            points * (POINT_BYTES + (grid ? CLOD_CONTINUUM_SUMS * NUMBER_BYTES : 0.0));
+        const double sampled = grid ? grid_time(from, run) : run->duration;
+        const double frames = grid && field->frames ? run->pictures : 0.0;
+        const double files = grid ? run->parts + frames : 0.0;
+        const double due = sampled / fmax(field->interval, run->step);
+        const double samples = frames + (test ? fmin(due, run->rows) : due);
+        const double sums = grid ? points * CLOD_CONTINUUM_SUMS * NUMBER_BYTES : 0.0;
+        all.clock += samples * sample_time(field, run->grains);
+        all.memory += run->beside * points * POINT_BYTES + run->parts * sums;
+        all.stored += sums;
         all.disk += files * points * (CLOD_CONTINUUM_NUMBERS * NUMBER_BYTES + CORNERS_ON_DISK);
         all.columns += grid ? 0.0 : CLOD_CONTINUUM_NUMBERS;
     }

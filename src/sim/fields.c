@@ -67,6 +67,30 @@ static void fields_begin(void *memory, const clod_case *from, const clod_state *
     }
 }
 
+void clod_fields_restart(void *memory, const clod_case *from, const clod_state *state)
+{
+    clod_field_memory *self = memory;
+    double(*sums)[CLOD_CONTINUUM_SUMS] =
+        (double(*)[CLOD_CONTINUUM_SUMS])clod_fields_grid(memory, from, 0);
+    for (size_t k = 0; k < from->field_count; k++) {
+        const size_t points = grid_points(&from->fields[k]);
+        memset(self[k].samples, 0, sizeof self[k].samples);
+        memset(self[k].block, 0, sizeof self[k].block);
+        memset(sums, 0, points * sizeof *sums);
+        sums += points;
+        self[k].next = points > 0 ? state->step : self[k].next; // that of a mean goes on
+    }
+}
+
+void clod_fields_leave_frames(void *memory, const clod_case *from)
+{
+    clod_field_memory *self = memory;
+    for (size_t k = 0; k < from->field_count; k++) {
+        self[k].frame_time = 0.0;
+        self[k].frame_sum = 0;
+    }
+}
+
 static int64_t fields_plan(const void *memory, const clod_case *from, const clod_state *state,
                            const clod_steady_time *steady)
 {

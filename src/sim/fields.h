@@ -2,7 +2,7 @@
 /**
  * @file fields.h
  * Fields of the case (docs/fields.md): a measure of free runs, and of the parts of a test
- * (part_fields.h). Each is sampled at intervals of its own; a grid only in the steady time, since
+ * (part_measures.h). Each is sampled at intervals of its own; a grid only in the steady time, since
  * all that it tells is its mean over that.
  */
 
@@ -37,6 +37,16 @@ int64_t clod_fields_samples(const clod_field_memory *self);
 int64_t clod_fields_used(const clod_continuum *field,
                          const double (*sums)[CLOD_CONTINUUM_SUMS]);
 
+/** In a test: sums over samples begin anew, and the next row has a sample of each grid. */
+void clod_fields_restart(void *memory, const clod_case *from, const clod_state *state);
+
+/** In a test: frames that were written are another part's. */
+void clod_fields_leave_frames(void *memory, const clod_case *from);
+
+/** Put where a grid lies, and how many of its cells have something, into an object of the summary. */
+void clod_fields_put_grid(json_t *object, const void *memory, const clod_case *from,
+                          size_t number);
+
 /** Lines of the report, object of the summary (fields_report.c). */
 void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *now);
 json_t *clod_fields_json(const void *memory, const clod_free_moment *now);
@@ -48,6 +58,10 @@ bool clod_fields_picture(void *memory, const clod_free_moment *now, const clod_f
                          clod_status *status);
 bool clod_fields_write(const clod_folder *folder, const void *memory,
                        const clod_free_moment *now, clod_status *status);
+
+/** The same at the end of a part of a test, whose name is in `to`. */
+bool clod_fields_write_part(const clod_frame *to, const void *memory,
+                            const clod_free_moment *now, clod_status *status);
 
 /**
  * Errors  CLOD_FAILED: memory.   Threads  one per state.

@@ -71,6 +71,14 @@ typedef struct grid_file {
     char name[NAME_MAX + 1];
 } grid_file;
 
+/** Name of a file: that of the part of a test, of the field, and what is behind them. */
+static void name_file(char name[NAME_MAX + 1], const char *part, const clod_case_field *asked,
+                      const char *behind)
+{
+    snprintf(name, NAME_MAX + 1, "%s%sfield_%s%s", part != NULL ? part : "",
+             part != NULL ? "_" : "", asked->name, behind);
+}
+
 /** Write the cells that something has reached. */
 static bool write_grid(const clod_case_field *asked, const double (*sums)[CLOD_CONTINUUM_SUMS],
                        double samples, const clod_free_moment *now, const grid_file *file,
@@ -95,48 +103,52 @@ static bool write_grid(const clod_case_field *asked, const double (*sums)[CLOD_C
     return good;
 }
 
-bool clod_fields_write(const clod_folder *folder, const void *memory,
-                       const clod_free_moment *now, clod_status *status)
+bool clod_fields_write_part(const clod_frame *to, const void *memory,
+                            const clod_free_moment *now, clod_status *status)
 {
     bool good = true;
     for (size_t k = 0; good && k < now->from->field_count; k++) {
         const clod_case_field *asked = &now->from->fields[k];
         const double samples = (double)clod_fields_samples(clod_fields_memory(memory, k));
-        grid_file file = {.folder = folder};
-        snprintf(file.name, sizeof file.name, "field_%s.hdf", asked->name);
+        grid_file file = {.folder = to->folder};
+        name_file(file.name, to->part, asked, ".hdf");
         good = asked->cell == 0.0 || write_grid(asked, clod_fields_grid(memory, now->from, k),
                                                 samples, now, &file, status);
     }
     return good;
 }
 
+bool clod_fields_write(const clod_folder *folder, const void *memory,
+                       const clod_free_moment *now, clod_status *status)
+{
+    return clod_fields_write_part(&(clod_frame){.folder = folder}, memory, now, status);
+}
+
 // ---- frames
 
-/** Name of the list of a grid's frames. */
-static void name_index(char index[NAME_MAX + 1], const clod_case_field *asked)
-{
-    snprintf(index, NAME_MAX + 1, "field_%s.hdf.series", asked->name);
-}
+#define INDEX ".hdf.series" ///< of the list of a grid's frames
 
 /** Frames that a run that was cut off had put there later go, with their files: before this one is
  *  written, which has the name of one of them. */
 static bool cut_frames(const clod_field_memory *self, const clod_case_field *asked,
-                       const clod_folder *folder, clod_status *status)
+                       const clod_frame *frame, clod_status *status)
 {
     char index[NAME_MAX + 1];
-    name_index(index, asked);
-    return self->frame_sum == 0 || clod_hdf_series_cut(folder, index, self->frame_time, status);
+    name_file(index, frame->part, asked, INDEX);
+    return self->frame_sum == 0 ||
+           clod_hdf_series_cut(frame->folder, index, self->frame_time, status);
 }
 
 /** Put a frame into its series. */
 static bool note_frame(clod_field_memory *self, const clod_case_field *asked,
-                       const clod_free_moment *now, const grid_file *file, clod_status *status)
+                       const clod_free_moment *now, const clod_frame *frame, const char *file,
+                       clod_status *status)
 {
     char index[NAME_MAX + 1];
-    name_index(index, asked);
+    name_file(index, frame->part, asked, INDEX);
     self->frame_time = now->state->time;
-    return clod_hdf_series_add(file->folder, index, file->name, now->state->time,
-                               &self->frame_sum, status);
+    return clod_hdf_series_add(frame->folder, index, file, now->state->time, &self->frame_sum,
+                               status);
 }
 
 /** One grid as it is now. */
@@ -152,14 +164,15 @@ static bool write_frame(clod_field_memory *self, const clod_case_field *asked,
                                 asked->name);
     }
     grid_file file = {.folder = frame->folder};
-    snprintf(file.name, sizeof file.name, "field_%s-%06" PRId64 ".hdf", asked->name,
-             frame->number);
+    char behind[40];
+    snprintf(behind, sizeof behind, "-%06" PRId64 ".hdf", frame->number);
+    name_file(file.name, frame->part, asked, behind);
     const clod_continuum_part part = {&field, sums};
     const bool good = clod_continuum_pass(&part, 1, now->survey, status) &&
-                      cut_frames(self, asked, frame->folder, status) &&
+                      cut_frames(self, asked, frame, status) &&
                       write_grid(asked, (const double(*)[CLOD_CONTINUUM_SUMS])sums, 1.0, now,
                                  &file, status) &&
-                      note_frame(self, asked, now, &file, status);
+                      note_frame(self, asked, now, frame, file.name, status);
     clod_memory_free(sums);
     return good;
 }

@@ -147,6 +147,23 @@ void clod_fields_paths(const clod_case *from, const clod_state *state, clod_free
     }
 }
 
+void clod_fields_put_grid(json_t *object, const void *memory, const clod_case *from,
+                          size_t number)
+{
+    const clod_continuum field = clod_fields_make(&from->fields[number]);
+    const int64_t used = clod_fields_used(&field, clod_fields_grid(memory, from, number));
+    double corner[3];
+    clod_continuum_corner(&field, 0, corner);
+    json_object_set_new(object, "cells",
+                        json_pack("[III]", (json_int_t)field.cells[0],
+                                  (json_int_t)field.cells[1], (json_int_t)field.cells[2]));
+    json_object_set_new(object, "corner_m",
+                        json_pack("[fff]", corner[0], corner[1], corner[2]));
+    json_object_set_new(object, "used_cells", json_integer((json_int_t)used));
+    json_object_set_new(object, "cell_m", json_real(field.cell));
+    json_object_set_new(object, "width_m", json_real(field.width));
+}
+
 json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
 {
     json_t *all = json_object();
@@ -162,19 +179,7 @@ json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
                                 json_real(clod_continuum_volume(&field.region)));
             put_means(one, &of);
         } else {
-            const int64_t used =
-                clod_fields_used(&field, clod_fields_grid(memory, now->from, k));
-            json_object_set_new(one, "cells",
-                                json_pack("[III]", (json_int_t)field.cells[0],
-                                          (json_int_t)field.cells[1],
-                                          (json_int_t)field.cells[2]));
-            double corner[3];
-            clod_continuum_corner(&field, 0, corner);
-            json_object_set_new(one, "corner_m",
-                                json_pack("[fff]", corner[0], corner[1], corner[2]));
-            json_object_set_new(one, "used_cells", json_integer((json_int_t)used));
-            json_object_set_new(one, "cell_m", json_real(field.cell));
-            json_object_set_new(one, "width_m", json_real(field.width));
+            clod_fields_put_grid(one, memory, now->from, k);
         }
         json_object_set_new(all, asked->name, one);
     }

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file frame.h
- * A snapshot that is being written: where to, and which it is.
+ * A snapshot that is being written, or the files at the end: where to, and of what.
  */
 
 #include <stdint.h>
@@ -10,5 +10,6 @@
 
 typedef struct clod_frame {
     const clod_folder *folder;
-    int64_t number; ///< of the snapshot
+    int64_t number;   ///< of the snapshot
+    const char *part; ///< of a test, whose name files begin with; NULL: a free run has none
 } clod_frame;

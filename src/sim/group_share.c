@@ -11,7 +11,7 @@
 #include "parallel/ranks_collect.h"
 #include "sim/group_words.h"
 #include "sim/identity.h"
-#include "sim/part_fields.h"
+#include "sim/part_measures.h"
 #include "sim/ranks.h"
 #include "sim/testers.h"
 #include "step/crew.h"
@@ -41,7 +41,7 @@ typedef struct part_record {
 
 static size_t test_size(const clod_parts_tester *tester, const clod_case *from)
 {
-    return tester->procedure.size + clod_part_fields_size(from);
+    return tester->procedure.size + clod_part_measures_size(from);
 }
 
 /** Parts of this group, and behind them what was told. */

@@ -50,6 +50,10 @@ typedef struct clod_procedure {
      *  what is shown beside it. NULL: nothing. */
     bool (*picture)(void *data, const void *context, clod_state *state,
                     const clod_survey *survey, const clod_frame *frame, clod_status *status);
+    /** Write files at the end, of measures; again when a job that is finished is gone on with. NULL:
+     *  nothing. */
+    bool (*write)(const void *data, const void *context, clod_state *state,
+                  const clod_frame *frame, clod_status *status);
     const char *(*phase)(const void *data, const void *context);
     double (*fraction)(const void *data, const void *context);
     /** Why the phase that a sample has just ended is over. NULL: nobody asks. */

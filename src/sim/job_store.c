@@ -81,11 +81,30 @@ void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM],
     snprintf(energy, CLOD_JOB_STEM, "%s%senergy.csv", plain ? "" : name, plain ? "" : "-");
 }
 
+static clod_frame frame_of(const clod_job *self)
+{
+    return (clod_frame){self->sim->folder, self->memory.snapshots,
+                        clod_job_is_plain(self) ? NULL : self->name};
+}
+
+bool clod_job_write_files(clod_job *self, clod_status *status)
+{
+    const clod_procedure *p = &self->procedure;
+    const clod_frame frame = frame_of(self);
+    if (p->write == NULL) {
+        return true;
+    }
+    pthread_mutex_lock(&hdf5_lock);
+    const bool ok = p->write(p->data, p->context, &self->state, &frame, status);
+    pthread_mutex_unlock(&hdf5_lock);
+    return ok;
+}
+
 bool clod_job_picture(clod_job *self, const clod_survey *survey, const clod_bed_source *bed,
                       clod_status *status)
 {
     const clod_procedure *p = &self->procedure;
-    const clod_frame frame = {self->sim->folder, self->memory.snapshots};
+    const clod_frame frame = frame_of(self);
     pthread_mutex_lock(&hdf5_lock);
     const bool ok = (p->picture == NULL ||
                      p->picture(p->data, p->context, &self->state, survey, &frame, status)) &&

@@ -31,5 +31,8 @@ bool clod_job_store(clod_job *self, const clod_bed_source *bed, const char *suff
 bool clod_job_picture(clod_job *self, const clod_survey *survey, const clod_bed_source *bed,
                       clod_status *status);
 
+/** Write the files that the procedure has at the end. */
+bool clod_job_write_files(clod_job *self, clod_status *status);
+
 /** Forget the snapshots that are later than the state. */
 bool clod_job_cut_pictures(const clod_job *self, clod_status *status);

@@ -18,7 +18,8 @@
 #include "setup/begin.h"
 #include "sim/group.h"
 #include "sim/job_store.h"
-#include "sim/part_fields.h"
+#include "sim/part_measures.h"
+#include "sim/testers.h"
 #include "sim/warning_box.h"
 #include "tester/limits.h"
 
@@ -27,7 +28,7 @@ typedef struct part_batch {
     const clod_parts_tester *tester;
     const clod_job_shared *sim;
     clod_part *part; ///< [count]
-    clod_part_fields fields;
+    clod_part_measures measures;
     int threads;        ///< of each part
     atomic_bool failed; ///< a part has: no further one is begun
 } part_batch;
@@ -38,7 +39,7 @@ static void init_job(const part_batch *batch, clod_part *part, clod_job *job)
         .sim = batch->sim, .threads = batch->threads, .procedure = batch->tester->procedure};
     memcpy(job->name, part->name, sizeof job->name);
     job->procedure.data = part->test;
-    clod_part_fields_join(&batch->fields, &job->procedure);
+    clod_part_measures_join(&batch->measures, &job->procedure);
 }
 
 /** Take a preparation over from another run, as a finished part of this one. */
@@ -67,6 +68,7 @@ static bool begin(const part_batch *batch, clod_part *part, clod_job *job, clod_
         return false;
     }
     batch->tester->begin(batch->sim->from, part, &job->state);
+    clod_part_measures_begin(&batch->measures, part->test, &job->state);
     return true;
 }
 
@@ -114,7 +116,7 @@ static void run_part(void *context, int number)
     part->ok = clod_begin_state(batch->sim->from, part->seed, &job.state, &part->status) &&
                clod_job_resume(&job, &part->status) &&
                (job.resumed || begin(batch, part, &job, &part->status)) &&
-               clod_job_run(&job, &part->status);
+               clod_job_run(&job, &part->status) && clod_job_write_files(&job, &part->status);
     if (part->ok) {
         note_result(&job, part);
     } else if (part->status.code != CLOD_INTERRUPTED) {
@@ -131,10 +133,11 @@ void clod_parts_run_one(const clod_parts_tester *tester, const clod_job_shared *
                         .sim = sim,
                         .part = part,
                         .threads = given > 0 ? given : clod_threads_available()};
-    if (clod_part_fields_init(&batch.fields, sim->from, &tester->procedure, &part->status)) {
+    if (clod_part_measures_init(&batch.measures, sim->from, &tester->procedure,
+                                &part->status)) {
         run_part(&batch, 0);
     }
-    clod_part_fields_fini(&batch.fields);
+    clod_part_measures_fini(&batch.measures);
 }
 
 /** The parts of a batch in threads, as many as there are; ranks step one after the other. */
@@ -151,11 +154,11 @@ static bool run_in_threads(const clod_parts_tester *tester, const clod_job_share
                         .part = part,
                         .threads = threads / workers > 0 ? threads / workers : 1};
     const bool good =
-        clod_part_fields_init(&batch.fields, sim->from, &tester->procedure, status);
+        clod_part_measures_init(&batch.measures, sim->from, &tester->procedure, status);
     if (good) {
         clod_threads_run(count, workers, run_part, &batch);
     }
-    clod_part_fields_fini(&batch.fields);
+    clod_part_measures_fini(&batch.measures);
     return good;
 }
 
@@ -180,7 +183,7 @@ bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
 clod_part *clod_parts_create(const clod_parts_tester *tester, const clod_case *from, int count,
                              clod_status *status)
 {
-    const size_t size = tester->procedure.size + clod_part_fields_size(from);
+    const size_t size = tester->procedure.size + clod_part_measures_size(from);
     clod_part *self = clod_memory_alloc((size_t)count, sizeof *self);
     char *tests = clod_memory_alloc((size_t)count, size);
     if (self == NULL || tests == NULL) {
@@ -225,7 +228,7 @@ bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_share
                            clod_part *part, int count, clod_status *status)
 {
     part_batch batch = {.tester = tester, .sim = sim};
-    bool ok = clod_part_fields_init(&batch.fields, sim->from, &tester->procedure, status);
+    bool ok = clod_part_measures_init(&batch.measures, sim->from, &tester->procedure, status);
     for (int p = 0; ok && p < count; p++) {
         clod_job job;
         init_job(&batch, &part[p], &job);
@@ -233,7 +236,7 @@ bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_share
              clod_job_try_origin(&job, status);
         clod_job_fini(&job);
     }
-    clod_part_fields_fini(&batch.fields);
+    clod_part_measures_fini(&batch.measures);
     return ok;
 }
 
@@ -256,6 +259,15 @@ json_t *clod_parts_json(const clod_part *part)
         clod_parts_set_number(j, NUMBERS[k].key, NUMBERS[k].value);
     }
     return j;
+}
+
+void clod_parts_put_fields(json_t *object, const clod_case *from, const clod_part *part)
+{
+    const size_t own = clod_testers_of(from)->first->procedure.size;
+    json_t *grids = clod_part_measures_json(from, part->name, (const char *)part->test + own);
+    if (grids != NULL) {
+        json_object_set_new(object, "fields", grids);
+    }
 }
 
 void clod_parts_set_number(json_t *object, const char *key, double value)
@@ -288,7 +300,9 @@ bool clod_parts_write_locus(const clod_job_shared *sim, const clod_parts_locus *
     }
     json_t *list = json_array();
     for (int p = 0; p < parts; p++) {
-        json_array_append_new(list, how->part(&part[p]));
+        json_t *one = how->part(&part[p]);
+        clod_parts_put_fields(one, sim->from, &part[p]);
+        json_array_append_new(list, one);
     }
     return clod_parts_write_summary(sim, list, how->name, results, warnings, incomplete,
                                     status);

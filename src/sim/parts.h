@@ -15,7 +15,7 @@ typedef struct clod_part {
     char from[48]; ///< name of the part whose end this one begins with; "" for a preparation
     int64_t seed;
     int64_t point;     ///< which of the points; below 0 for a preparation
-    void *test;        ///< the procedure's data, and behind them those of fields; borrowed
+    void *test;        ///< the procedure's data, and behind them those of measures; borrowed
     int64_t steps;     ///< of this part
     double dt;         ///< s
     double wall_clock; ///< s
@@ -39,7 +39,7 @@ typedef struct clod_parts_tester {
     void (*adopt)(const clod_case *from, const clod_part *part);
 } clod_parts_tester;
 
-/** Parts, each with room for the data of its test and what its fields remember; owned
+/** Parts, each with room for the data of its test and what its measures remember; owned
  *  (clod_parts_destroy).   Errors  CLOD_FAILED: no memory, then NULL. */
 clod_part *clod_parts_create(const clod_parts_tester *tester, const clod_case *from, int count,
                              clod_status *status);
@@ -69,6 +69,9 @@ bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_share
 
 /** What every tester's summary says of a part; a new object. */
 json_t *clod_parts_json(const clod_part *part);
+
+/** Put what a part has of grids (part_measures.h) into that object. */
+void clod_parts_put_fields(json_t *object, const clod_case *from, const clod_part *part);
 
 /** Set a number, null when there is none. */
 void clod_parts_set_number(json_t *object, const char *key, double value);

@@ -97,6 +97,7 @@ static bool write_summary(const clod_job_shared *sim, const clod_part *part, int
         const clod_uniaxial *t = part[p].test;
         json_t *j = clod_parts_json(&part[p]);
         json_object_set_new(j, "flags", flag_words(t->flags));
+        clod_parts_put_fields(j, sim->from, &part[p]);
         json_array_append_new(list, j);
         if (p > 0) {
             json_array_append_new(results, point_json(&part[p]));

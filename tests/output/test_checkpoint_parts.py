@@ -38,6 +38,7 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
          ("src/sim/mixing.h", ["clod_mixing_mean"]),
          ("src/sim/mixing.c", ["mixing_memory"]),
          ("src/sim/repose.c", ["repose_memory"]),
+         ("src/sim/part_measures.c", ["part_notes"]),
          ("src/sim/balance.h", ["clod_balance_count", "clod_balance"]),
          ("src/sim/steady_time.h", ["clod_steady_time"]),
          ("src/state/clump_class.h", ["CLOD_CLUMP_CLASSES"]),

@@ -115,6 +115,18 @@ class Mpirun(clod.Case):
                                    "--set", "wall_friction.inner_radius=7 mm",
                                    "--set", "wall_friction.bar_count=0")
 
+    def test_a_ring_with_a_grid_and_a_mixing_index(self):
+        with open(RING) as file:
+            text = file.read()
+        box = "{box: {min: [-50 mm, -50 mm, -20 mm], max: [50 mm, 50 mm, 60 mm]}}"
+        with open(self.path("grids.yaml"), "w") as file:
+            file.write(f"{text}\nfields: {{grid: {{region: {box}, cell: 5 mm, width: 10 mm, frames: true}}}}\n"
+                       f"mixing: {{size: {{region: {box}, cell: 10 mm, above: 2.8 mm}}}}\n")
+        parts = ("preshear", "reverse", "point-1", "point-2")
+        self.assert_same_on((2, 3), self.path("grids.yaml"), parts=parts)
+        for part in parts:
+            self.assertTrue(os.path.exists(self.path(f"ranks-3/{part}_field_grid.hdf")))
+
     def test_a_jenike_test(self):
         self.assert_same_on((3,), JENIKE, "--set", "jenike.preshear_max=2.5 mm",
                             "--set", "jenike.shear_max=1 mm",

@@ -1,0 +1,128 @@
+"""Grids and mixing indices of a ring shear test: integrals of the files, which h5py reads, are those of means over
+regions, and an index is that of the grains in a snapshot."""
+
+import json
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod  # noqa: E402
+
+try:
+    import h5py
+    import numpy
+except ImportError:
+    h5py = None
+
+# The box reaches a width and more beyond all grains, so that no part of a kernel is cut off.
+LOW, HIGH, CELL, MIXED = (-0.06, -0.06, -0.02), (0.06, 0.06, 0.12), 0.005, 0.01  # m
+VOLUME = 0.12 * 0.12 * 0.14
+BOX = "{box: {min: [-60 mm, -60 mm, -20 mm], max: [60 mm, 60 mm, 120 mm]}}"
+MEASURES = f"""
+fields:
+  whole: {{region: {BOX}, interval: 1 us}}
+  grid: {{region: {BOX}, cell: 5 mm, width: 15 mm, interval: 1 us}}
+mixing:
+  number: {{region: {BOX}, cell: 10 mm, above: 2.5 mm}}
+  mass: {{region: {BOX}, cell: 10 mm, above: 2.5 mm, by: mass}}
+"""
+SHORT = (("preshear_max: 30 mm", "preshear_max: 9 mm"),
+         ("preshear_stress: 10 kPa", "preshear_min: 9 mm\n  preshear_stress: 10 kPa"))
+LAST = {"preshear": "preshear", "reverse": "reverse", "point-1": "shear", "point-2": "shear", "point-3": "shear"}
+
+
+def lacey(position, first, weight):
+    """Index and share of grains that are counted (weight 1) or weighed, by the formulas of docs/mixing.md."""
+    place = numpy.floor((position - numpy.array(LOW)) / MIXED).astype(int)
+    _, sample = numpy.unique(place, axis=0, return_inverse=True)
+    sample = sample.ravel()
+    every = numpy.bincount(sample, weights=weight)
+    share = numpy.bincount(sample, weights=weight * first) / every
+    count, cells, whole = len(first), len(every), weight.sum()
+    p = (weight * first).sum() / whole
+    variance = (every * (share - p) ** 2).sum() / whole
+    squares = [(weight[kind] ** 2).sum() for kind in (first, ~first)]
+    random = count / (count - 1) * (cells - 1) * ((1 - p) ** 2 * squares[0] + p ** 2 * squares[1]) / whole ** 2
+    return (p * (1 - p) - variance) / (p * (1 - p) - random), p
+
+
+@unittest.skipIf(h5py is None, "no h5py")
+class PartMeasures(clod.Case):
+
+    def setUp(self):
+        super().setUp()
+        with open(clod.source("tests/cli/ring_shear.yaml")) as file:
+            text = file.read() + MEASURES
+        for before, after in SHORT:
+            self.assertIn(before, text)
+            text = text.replace(before, after)
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(text)
+        self.go("out")
+        self.parts = {part["part"]: part for part in self.summary("out")["parts"]}
+        self.assertEqual(set(self.parts), set(LAST))
+
+    def snapshots(self, part):
+        with open(self.path(f"out/{part}.hdf.series")) as file:
+            return [one["name"] for one in json.load(file)["files"]]
+
+    def check_grid(self, part, mass):
+        told = self.parts[part]["fields"]["grid"]
+        self.assertEqual((told["file"], told["phase"]), (f"{part}_field_grid.hdf", LAST[part]))
+        self.assertEqual(told["cells"], [24, 24, 28])
+        rows = clod.table(self.path(f"out/{part}.csv"))
+        rows = [row for row in rows if row["time"] > told["since_s"]]
+        self.assertEqual(len({row["phase"] for row in rows}), 1)  # all of one phase
+        self.assertEqual(told["samples"], len(rows))
+        with h5py.File(self.path("out/" + told["file"])) as file:
+            cells = {name: column[:] for name, column in file["VTKHDF/CellData"].items()}
+        self.assertEqual(len(cells["density"]), told["used_cells"])
+        total = {name: column.sum(axis=0) * CELL ** 3 for name, column in cells.items()}
+        mean = lambda name: VOLUME * clod.mean(rows, f"field_whole.{name}")
+        # docs/fields.md: with three cells a width the sum over cells has an integral within 0.3 %
+        self.assertLess(abs(total["density"] - mass), 3e-3 * mass)
+        self.assertLess(abs(total["solid_fraction"] - mass / 2481.3), 3e-3 * mass / 2481.3)
+        stress = [mean(f"contact_stress_{a}{b}") for a in "xyz" for b in "xyz"]
+        scale = max(stress)
+        self.assertGreater(scale, 0.1)
+        for one, other in zip(total["contact_stress"], stress):
+            self.assertLess(abs(one - other), 3e-3 * scale)
+        for one, axis in zip(total["wall_force"], "xyz"):
+            self.assertLess(abs(one - mean(f"wall_force_{axis}")), 1.0)  # N, of some 40 N that the lid presses with
+        momentum = numpy.nan_to_num(cells["density"][:, None] * cells["velocity"]).sum(axis=0) * CELL ** 3
+        for one, axis in zip(momentum, "xyz"):
+            expected = sum(row["field_whole.density"] * row[f"field_whole.velocity_{axis}"] for row in rows)
+            self.assertLess(abs(one - VOLUME * expected / len(rows)), 3e-3 * mass * 0.080)  # all at the speed of shear
+
+    def check_mixing(self, part):
+        row = clod.table(self.path(f"out/{part}.csv"))[-1]
+        with h5py.File(self.path("out/" + self.snapshots(part)[-1])) as file:
+            self.assertLess(abs(file.attrs["time_s"] - row["time"]), 1e-9)
+            position = file["VTKHDF/Points"][:].astype(float)
+            radius = file["VTKHDF/PointData/radius"][:].astype(float)
+        first = radius > 2.5e-3
+        for name, weight in (("number", numpy.ones(len(radius))), ("mass", radius ** 3)):
+            index, share = lacey(position, first, weight)
+            self.assertTrue(0.1 < share < 0.9)
+            self.assertAlmostEqual(row[f"mixing_{name}.share"], share, delta=1e-6)
+            self.assertAlmostEqual(row[f"mixing_{name}.lacey"], index, delta=1e-5)
+
+    def test_grids_and_mixing(self):
+        mass = json.loads(clod.run("check", self.path("case.yaml"), "--json").stdout)["mass_kg"]
+        for part in LAST:
+            with self.subTest(part):
+                self.check_grid(part, mass)
+                self.check_mixing(part)
+        done = clod.run("report", self.path("out"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = clod.read(self.path("out/report.html")).decode()
+        told = self.parts["preshear"]["fields"]["grid"]
+        self.assertEqual(page.count("Slices of the fields, preshear</h2>"), 1)
+        self.assertIn("Plane y = -2.5 mm: layer 12 of 24 of the grid's cells across y", page)
+        self.assertIn(f"Mean of {told['samples']} samples from {told['since_s']:.6g} s on; cells of 5 mm", page)
+        self.assertTrue(os.path.exists(self.path("out/report-field-grid-speed.svg")))
+
+
+if __name__ == "__main__":
+    clod.main()
