@@ -216,12 +216,16 @@ static bool read_whole(const clod_csv *self, const clod_csv_column *column, cons
 static bool check_range(const clod_csv *self, const clod_csv_column *column, const char *cell,
                         double value, double si)
 {
-    if (value < 0.0 || (column->positive && value == 0.0)) {
+    char fault[96];
+    if (column->most > 0.0 && (si < column->least || si > column->most)) {
+        snprintf(fault, sizeof fault, "must be %.6g to %.6g.", column->least, column->most);
+        return clod_csv_fail(self, column, cell, fault);
+    }
+    if (si < column->least || (column->positive && value == 0.0)) {
         return clod_csv_fail(self, column, cell,
                              column->positive ? "must be above 0." : "must be 0 or more.");
     }
     if (column->below > 0.0 && si >= column->below) {
-        char fault[96];
         snprintf(fault, sizeof fault, "must be below %.6g in the unit of the column.",
                  value / si * column->below);
         return clod_csv_fail(self, column, cell, fault);

@@ -155,6 +155,10 @@ char *clod_hopper_table(const clod_hopper *self)
     fprintf(out, "\n  %.3g %% interval from %lld samples, seed %lld; H(theta) by %s\n",
             100.0 * self->from.interval.level, (long long)self->from.interval.samples,
             (long long)self->from.interval.seed, CLOD_HOPPER_ARCH_NAMES[self->from.arch]);
+    char drawn[CLOD_WORDS_MOST];
+    if (clod_words_drawn(self, drawn)) {
+        put_text(out, "  ", drawn);
+    }
     fputs(self->warnings.count > 0 ? "\n  Warnings\n" : "", out);
     for (size_t i = 0; i < self->warnings.count; i++) {
         put_text(out, "  - ", self->warnings.text[i]);

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "hopper/joint.h"
+
 #define DEGREES 57.295779513082323
 
 void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
@@ -67,6 +69,23 @@ void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST
                      100.0 * found->share[k], WORDS[k]);
         }
     }
+}
+
+bool clod_words_drawn(const clod_hopper *self, char text[CLOD_WORDS_MOST])
+{
+    const clod_joint_rows rows = clod_joint_count(&self->solid);
+    const size_t all = rows.together + rows.apart;
+    if (rows.apart == 0) {
+        snprintf(text, CLOD_WORDS_MOST,
+                 "Errors of one yield locus (sigma_1, f_c, phi_e, phi_t) are drawn together.");
+    } else {
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "Errors of one yield locus (sigma_1, f_c, phi_e, phi_t) are drawn "
+            "independently in %zu of %zu rows: the flow function has no correlations of them.",
+            rows.apart, all);
+    }
+    return all > 0;
 }
 
 const char *const CLOD_WORDS_HOLES[CLOD_HOPPER_HOLES] = {
