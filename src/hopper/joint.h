@@ -32,5 +32,5 @@ typedef struct clod_joint_rows {
     size_t apart;    ///< independently: their correlations are not known
 } clod_joint_rows;
 
-/** Count them, those of several specimens not among them. Threads  pure.   Test  tests/hopper/test_joint.py */
+/** Count them, those of several specimens not among them. Threads  pure.   Test  tests/hopper/test_loci.py */
 clod_joint_rows clod_joint_count(const clod_solid *solid);
