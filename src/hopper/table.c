@@ -103,7 +103,8 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
     clod_words_verdict(found, text);
     put_text(out, "  ", text);
     if (clod_words_judged(found, text)) {
-        put_text(out, "  limit and half angle: ", text);
+        const bool funnel = found->design.outcome == CLOD_HOPPER_FUNNEL;
+        put_text(out, funnel ? "  why: " : "  limit and half angle: ", text);
     }
     for (int n = 0; n < CLOD_HOPPER_MARGIN; n++) {
         put_line(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
