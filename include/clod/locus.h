@@ -64,6 +64,10 @@ typedef enum clod_locus_errors {
     CLOD_LOCUS_ERRORS_SEEDS, ///< several tests: scatter of their loci
 } clod_locus_errors;
 
+/** Pairs of the values whose errors are told together: sigma_1 with sigma_c, phi_e and phi_lin; sigma_c with
+ *  phi_e and phi_lin; phi_e with phi_lin. */
+#define CLOD_LOCUS_PAIRS 6
+
 #define CLOD_LOCUS_WARNINGS 24
 #define CLOD_LOCUS_WARNING_TEXT 256
 
@@ -85,6 +89,8 @@ typedef struct clod_locus {
     clod_locus_circle steady;        ///< through sigma_1 and sigma_2
     clod_locus_circle unconfined;    ///< through sigma_c and the origin
     clod_locus_errors errors;
+    double correlation
+        [CLOD_LOCUS_PAIRS]; ///< of the errors of each pair, of one test; NAN: not known
     size_t seed_count;
     size_t preshear_count;  ///< specimens, over all seeds (docs/theory/yield-locus.md)
     size_t point_count;     ///< over all seeds

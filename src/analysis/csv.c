@@ -99,6 +99,12 @@ static const char *cut_unit(char *cell)
     return trim(open + 1);
 }
 
+/** Whether a column has numbers without unit, which may have a fraction; [1] is no unit, [%] is one. */
+static bool is_pure(const clod_csv_column *column)
+{
+    return strcmp(column->unit, "1") == 0;
+}
+
 /** Check the unit of a column by converting 1. */
 static bool check_unit(const clod_csv *self, const clod_csv_column *column, const char *unit)
 {
@@ -109,7 +115,7 @@ static bool check_unit(const clod_csv *self, const clod_csv_column *column, cons
                                 self->path, self->line, column->names[0], unit);
     }
     const char *example = clod_unit_describe(column->unit)->example;
-    if (unit[0] == '\0') {
+    if (unit[0] == '\0' && !is_pure(column)) {
         return clod_status_fail(self->status, CLOD_USAGE,
                                 "%s:%zu: column %s has no unit; write it behind the name, for "
                                 "instance %s [%s].",
@@ -161,8 +167,11 @@ static bool read_name(clod_csv *self, char *cell)
         return clod_status_fail(self->status, CLOD_USAGE,
                                 "%s:%zu: column %s is there twice; keep one.", self->path,
                                 self->line, column->names[0]);
-    } else if (!check_unit(self, column, unit)) {
-        return false;
+    } else {
+        unit = is_pure(column) && strcmp(unit, "1") == 0 ? "" : unit;
+        if (!check_unit(self, column, unit)) {
+            return false;
+        }
     }
     self->column[self->width] = column;
     self->unit[self->width++] = unit;
@@ -216,12 +225,16 @@ static bool read_whole(const clod_csv *self, const clod_csv_column *column, cons
 static bool check_range(const clod_csv *self, const clod_csv_column *column, const char *cell,
                         double value, double si)
 {
-    if (value < 0.0 || (column->positive && value == 0.0)) {
+    char fault[96];
+    if (column->most > 0.0 && (si < column->least || si > column->most)) {
+        snprintf(fault, sizeof fault, "must be %.6g to %.6g.", column->least, column->most);
+        return clod_csv_fail(self, column, cell, fault);
+    }
+    if (si < column->least || (column->positive && value == 0.0)) {
         return clod_csv_fail(self, column, cell,
                              column->positive ? "must be above 0." : "must be 0 or more.");
     }
     if (column->below > 0.0 && si >= column->below) {
-        char fault[96];
         snprintf(fault, sizeof fault, "must be below %.6g in the unit of the column.",
                  value / si * column->below);
         return clod_csv_fail(self, column, cell, fault);

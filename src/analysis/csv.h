@@ -19,7 +19,10 @@ typedef struct clod_csv_column {
     const char *unit;     ///< SI; "" for a whole number
     bool positive;        ///< 0 is not allowed
     bool required;
-    double below;  ///< values are smaller than this, SI; 0: anything goes
+    double below; ///< values are smaller than this, SI; 0: anything goes
+    double
+        least;   ///< values are no smaller than this, SI; below 0 it allows them to be negative
+    double most; ///< and no larger than this, SI; 0: anything goes
     size_t offset; ///< in a row: of a double, of an int64_t for a whole number
 } clod_csv_column;
 

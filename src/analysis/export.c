@@ -61,6 +61,19 @@ static json_t *warnings_of(const clod_locus *locus)
     return list;
 }
 
+/** Correlations of the errors: {"sigma_1_sigma_c": 0.9, ...}. */
+static json_t *correlations_of(const clod_locus *locus)
+{
+    json_t *self = json_object();
+    for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
+        char name[32];
+        snprintf(name, sizeof name, "%s_%s", CLOD_FIELDS[CLOD_FIELD_PAIRS[k].a].key,
+                 CLOD_FIELDS[CLOD_FIELD_PAIRS[k].b].key);
+        json_object_set_new(self, name, number(locus->correlation[k]));
+    }
+    return self;
+}
+
 static json_t *locus_of(const clod_locus *locus)
 {
     static const char *const ERRORS[] = {"none", "fit", "seeds"};
@@ -81,6 +94,7 @@ static json_t *locus_of(const clod_locus *locus)
     json_object_set_new(self, "errors_note",
                         clod_locus_one_specimen(locus) ? json_string(CLOD_LOCUS_ONE_SPECIMEN)
                                                        : json_null());
+    json_object_set_new(self, "error_correlations", correlations_of(locus));
     json_object_set_new(self, "r_squared", number(locus->r_squared));
     json_object_set_new(self, "parallel", json_boolean(locus->parallel));
     json_object_set_new(self, "seed_count", json_integer((json_int_t)locus->seed_count));
@@ -138,6 +152,10 @@ char *clod_locus_csv(const clod_locus_study *study)
         const char *unit = UNITS[field->kind].unit;
         fprintf(out, ",%s%s,%s_error%s", field->key, unit, field->key, unit);
     }
+    for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
+        fprintf(out, ",correlation_%s_%s [1]", CLOD_FIELDS[CLOD_FIELD_PAIRS[k].a].key,
+                CLOD_FIELDS[CLOD_FIELD_PAIRS[k].b].key);
+    }
     fputs("\n", out);
     for (size_t g = 0; g < study->count; g++) {
         const clod_locus *locus = &study->groups[g].locus;
@@ -147,6 +165,9 @@ char *clod_locus_csv(const clod_locus_study *study)
             const clod_locus_value value = clod_field_get(locus, k);
             put_cell(out, UNITS[CLOD_FIELDS[k].kind].scale * value.value);
             put_cell(out, UNITS[CLOD_FIELDS[k].kind].scale * value.error);
+        }
+        for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
+            put_cell(out, locus->correlation[k]);
         }
         fputs("\n", out);
     }

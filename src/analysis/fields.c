@@ -21,6 +21,12 @@ const clod_field CLOD_FIELDS[CLOD_FIELD_COUNT] = {
     FIELD(rho_b, CLOD_FIELD_DENSITY, "bulk density"),
 };
 
+const clod_field_pair CLOD_FIELD_PAIRS[CLOD_LOCUS_PAIRS] = {
+    {CLOD_FIELD_SIGMA_1, CLOD_FIELD_SIGMA_C}, {CLOD_FIELD_SIGMA_1, CLOD_FIELD_PHI_E},
+    {CLOD_FIELD_SIGMA_1, CLOD_FIELD_PHI_LIN}, {CLOD_FIELD_SIGMA_C, CLOD_FIELD_PHI_E},
+    {CLOD_FIELD_SIGMA_C, CLOD_FIELD_PHI_LIN}, {CLOD_FIELD_PHI_E, CLOD_FIELD_PHI_LIN},
+};
+
 clod_locus_value *clod_field_of(clod_locus *locus, clod_field_index index)
 {
     return (clod_locus_value *)(void *)((char *)locus + CLOD_FIELDS[index].offset);

@@ -40,6 +40,13 @@ typedef enum clod_field_index {
 
 extern const clod_field CLOD_FIELDS[CLOD_FIELD_COUNT];
 
+/** A pair of CLOD_LOCUS_PAIRS. */
+typedef struct clod_field_pair {
+    clod_field_index a, b;
+} clod_field_pair;
+
+extern const clod_field_pair CLOD_FIELD_PAIRS[CLOD_LOCUS_PAIRS];
+
 /** The value of a field in a locus. */
 clod_locus_value *clod_field_of(clod_locus *locus, clod_field_index index);
 

@@ -153,16 +153,23 @@ static bool is_told(clod_field_index k, double error)
     return CLOD_FIELDS[k].kind != CLOD_FIELD_ANGLE || error <= HALF_PI;
 }
 
-static void fill_values(clod_locus *self, const clod_spread_result *best, const double *error)
+static void fill_values(clod_locus *self, const clod_spread_result *best,
+                        const clod_spread_told *told)
 {
     const bool known = self->errors != CLOD_LOCUS_ERRORS_NONE;
     for (clod_field_index k = CLOD_FIELD_TAU_P; k < CLOD_FIELD_RHO_B; k++) {
         const double value = best->field[k];
-        const bool told = known && isfinite(value) && is_told(k, error[k]);
-        *clod_field_of(self, k) = (clod_locus_value){value, told ? error[k] : (double)NAN, NAN};
+        const bool has = known && isfinite(value) && is_told(k, told->error[k]);
+        *clod_field_of(self, k) =
+            (clod_locus_value){value, has ? told->error[k] : (double)NAN, NAN};
     }
     if (self->phi_lin.value < 0.0) { // no solid: what its circles touch is no strength
         self->sigma_c = self->ffc = (clod_locus_value){NAN, NAN, NAN};
+    }
+    for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
+        const bool both = !isnan(clod_field_get(self, CLOD_FIELD_PAIRS[k].a).error) &&
+                          !isnan(clod_field_get(self, CLOD_FIELD_PAIRS[k].b).error);
+        self->correlation[k] = both ? told->correlation[k] : (double)NAN;
     }
     const double half = 0.5 * self->sigma_c.value;
     self->r_squared = best->fit.r_squared;
@@ -202,16 +209,16 @@ bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locu
     locus->marks = clod_memory_alloc(count, sizeof *locus->marks);
     const bool done = work != NULL && first != NULL && changed != NULL && locus->marks != NULL;
     if (done) {
-        double error[CLOD_FIELD_COUNT];
+        clod_spread_told told;
         const double *prorated = work + count;
         const clod_spread_result best = clod_spread_evaluate(points, count, work, work + count);
         clod_preshear_find(points, count, first);
-        clod_spread_errors(points, first, count, &best, work + 2 * count, changed, error);
+        clod_spread_errors(points, first, count, &best, work + 2 * count, changed, &told);
         locus->errors =
             errors_known(points, count) ? CLOD_LOCUS_ERRORS_FIT : CLOD_LOCUS_ERRORS_NONE;
         locus->seed_count = 1;
         locus->point_count = count;
-        fill_values(locus, &best, error);
+        fill_values(locus, &best, &told);
         fill_means(locus, points, first, count, work + 2 * count);
         fill_marks(locus, points, &best.fit, prorated);
         const clod_warnings_line line = {best.fit, work, prorated, count};
@@ -274,6 +281,9 @@ static void combine_values(const clod_locus *loci, size_t count, clod_locus *sel
     self->errors = CLOD_LOCUS_ERRORS_SEEDS;
     for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
         *clod_field_of(self, k) = combine_field(loci, count, k);
+    }
+    for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
+        self->correlation[k] = (double)NAN; // as few seeds as there are tell none
     }
     self->r_squared = loci[0].r_squared;
     for (size_t i = 0; i < count; i++) {

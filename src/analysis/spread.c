@@ -134,6 +134,7 @@ typedef struct propagation {
     double *scratch;
     clod_locus_point *changed;
     double variance[CLOD_FIELD_COUNT];
+    double covariance[CLOD_LOCUS_PAIRS];
 } propagation;
 
 /** Put `times` of a cause into the points it concerns; 0 restores them. */
@@ -176,13 +177,29 @@ static void add_effect(propagation *self, cause by)
     for (int k = 0; k < CLOD_FIELD_COUNT; k++) {
         self->variance[k] += change[k] * change[k];
     }
+    for (int k = 0; k < CLOD_LOCUS_PAIRS; k++) {
+        self->covariance[k] += change[CLOD_FIELD_PAIRS[k].a] * change[CLOD_FIELD_PAIRS[k].b];
+    }
+}
+
+static void tell(const propagation *self, clod_spread_told *told)
+{
+    for (int k = 0; k < CLOD_FIELD_COUNT; k++) {
+        told->error[k] = sqrt(self->variance[k]);
+    }
+    for (int k = 0; k < CLOD_LOCUS_PAIRS; k++) {
+        const double a = told->error[CLOD_FIELD_PAIRS[k].a];
+        const double b = told->error[CLOD_FIELD_PAIRS[k].b];
+        const bool both = a != 0.0 && b != 0.0; // a NAN stays one
+        told->correlation[k] = both ? self->covariance[k] / (a * b) : 0.0;
+    }
 }
 
 void clod_spread_errors(const clod_locus_point *points, const size_t *first, size_t count,
                         const clod_spread_result *best, double *scratch,
-                        clod_locus_point *changed, double error[CLOD_FIELD_COUNT])
+                        clod_locus_point *changed, clod_spread_told *told)
 {
-    propagation self = {points, first, count, best, scratch, changed, {0}};
+    propagation self = {points, first, count, best, scratch, changed, {0}, {0}};
     memcpy(changed, points, count * sizeof *points);
     const excess more = find_excess(points, first, count, best);
     const double tau_p = best->field[CLOD_FIELD_TAU_P];
@@ -196,7 +213,5 @@ void clod_spread_errors(const clod_locus_point *points, const size_t *first, siz
                        (cause){.at = i, .tau_p = more.specimen * tau_p, .specimen = true});
         }
     }
-    for (int k = 0; k < CLOD_FIELD_COUNT; k++) {
-        error[k] = sqrt(self.variance[k]);
-    }
+    tell(&self, told);
 }

@@ -26,8 +26,14 @@ typedef struct clod_spread_result {
 clod_spread_result clod_spread_evaluate(const clod_locus_point *points, size_t count,
                                         double *sigma, double *prorated);
 
+/** Errors of the fields, and how they go together. */
+typedef struct clod_spread_told {
+    double error[CLOD_FIELD_COUNT];       ///< 0 for sigma_p and rho_b
+    double correlation[CLOD_LOCUS_PAIRS]; ///< 0 where one of the two has no error
+} clod_spread_told;
+
 /**
- * Standard errors of the fields by propagation. The causes are independent of each other:
+ * Standard errors of the fields, and their correlations, by propagation. The causes are independent of each other:
  *
  * - of each point, what was stated for tau_s,
  * - of each preshear, what was stated for tau_p, for all of its points together,
@@ -45,10 +51,10 @@ clod_spread_result clod_spread_evaluate(const clod_locus_point *points, size_t c
  * @param best     of the points as they are
  * @param scratch  [2 * count] overwritten
  * @param changed  [count] overwritten
- * @param error    [CLOD_FIELD_COUNT] [out]; 0 for sigma_p and rho_b
+ * @param told     [out]
  * Errors  none.   Threads  pure.
  * Test    tests/analysis/test_locus_errors.c, test_locus_preshear.c
  */
 void clod_spread_errors(const clod_locus_point *points, const size_t *first, size_t count,
                         const clod_spread_result *best, double *scratch,
-                        clod_locus_point *changed, double error[CLOD_FIELD_COUNT]);
+                        clod_locus_point *changed, clod_spread_told *told);

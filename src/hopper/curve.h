@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#define CLOD_CURVE_JOINT 4 ///< values of a yield locus whose errors go together
+
 /** A measured point; standard errors, 0: not stated. */
 typedef struct clod_curve_point {
     double x, y;
@@ -20,6 +22,10 @@ typedef struct clod_curve_point {
                  ///< this point alone; 0: its size is known
     size_t set;  ///< of specimens: points of one set have some in common, or a chain of them
     size_t row;  ///< of the table, from 1 on: curves of one row have one x; 0: none
+    bool joint;  ///< whether y moves with x and the others of its row
+    double
+        part[CLOD_CURVE_JOINT]; ///< then: move of y per standard normal number of its row, the
+                                ///< first of which moves x; y_error is all of it
 } clod_curve_point;
 
 /** Whose specimens move a curve; those of one test move all its curves together. */

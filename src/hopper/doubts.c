@@ -11,83 +11,7 @@
 #define LEAST_TEST                                                                             \
     100.0 // Pa: a tenth of the least preshear stress that ring shear testers are used at
 #define MOST_FFC 100.0 // the best powder testers tell an ffc of some 50
-#define FEW 3      // degrees of freedom below which the scatter of specimens is hardly known
-#define APART 0.01 // relative distance below which two stresses count as the same
-
-/** A property that has to come from somewhere. */
-static bool is_known(const char *path, const clod_curve *curve, const char *key,
-                     const char *column, clod_status *status)
-{
-    return curve->count > 0 ||
-           clod_status_fail(
-               status, CLOD_USAGE,
-               "%s: %s is not known: neither the key %s nor the flow function, in a "
-               "column %s, gives it.",
-               path, column, key, column);
-}
-
-/** Points through which a curve is drawn from one to the next need stresses of their own. */
-static bool are_apart(const char *path, const clod_curve *curve, const char *key,
-                      const char *what, clod_status *status)
-{
-    for (size_t i = 1; i < curve->count; i++) {
-        const clod_curve_point *p = &curve->points[i - 1];
-        const clod_curve_point *q = &curve->points[i];
-        if (q->x - p->x <= fmax(APART * q->x, 2.0 * (p->x_error + q->x_error))) {
-            return clod_status_fail(
-                status, CLOD_USAGE,
-                "%s: %s: two points at nearly the same stress, %.6g and %.6g kPa%s. %s", path,
-                key, 1e-3 * p->x, 1e-3 * q->x,
-                p->x_error + q->x_error > 0.0 ? ", within twice their errors" : "", what);
-        }
-    }
-    return true;
-}
-
-static bool check_strength(const char *path, const clod_curve *curve, clod_status *status)
-{
-    const double span = curve->points[curve->count - 1].x - curve->points[0].x;
-    if (curve->count < 2 || span <= APART * curve->points[0].x) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "%s: flow_function: %zu point%s at one stress make no flow "
-                                "function; measure at two consolidation stresses at least.",
-                                path, curve->count, curve->count == 1 ? "" : "s");
-    }
-    return curve->way == CLOD_CURVE_LINE ||
-           are_apart(path, curve, "flow_function", "Average them, or use curve: line.", status);
-}
-
-/** No yield locus of a solid with strength is steeper than its effective one. */
-static bool check_angles(const char *path, const clod_solid *solid, clod_status *status)
-{
-    for (size_t i = 0; i < solid->phi_t.count; i++) {
-        const clod_curve_point *t = &solid->phi_t.points[i];
-        const double phi_e = clod_curve_at(&solid->phi_e, t->x);
-        if (t->y > phi_e + 2.0 * t->y_error + DEGREE) {
-            return clod_status_fail(
-                status, CLOD_USAGE,
-                "%s: at a stress of %.6g kPa the static angle of internal friction, %.2f deg, is "
-                "above the effective one, %.2f deg; that cannot be. Are they interchanged?",
-                path, 1e-3 * t->x, t->y / DEGREE, phi_e / DEGREE);
-        }
-    }
-    return true;
-}
-
-bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clod_solid *solid,
-                       clod_status *status)
-{
-    const char *average = "Average them.";
-    return is_known(path, &solid->phi_e, "effective_friction", "phi_e", status) &&
-           is_known(path, &solid->rho, "bulk_density", "rho_b", status) &&
-           check_strength(path, &solid->strength, status) &&
-           are_apart(path, &solid->wall, "wall_friction", average, status) &&
-           (!from->phi_e.present ||
-            are_apart(path, &solid->phi_e, "effective_friction", average, status)) &&
-           (!from->rho.present ||
-            are_apart(path, &solid->rho, "bulk_density", average, status)) &&
-           check_angles(path, solid, status);
-}
+#define FEW 3 // degrees of freedom below which the scatter of specimens is hardly known
 
 /** A state outside what was measured. */
 static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *curve,
@@ -98,7 +22,7 @@ static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *c
     }
     const double low = curve->points[0].x;
     const double high = curve->points[curve->count - 1].x;
-    if (stress < low * (1.0 - APART) || stress > high * (1.0 + APART)) {
+    if (stress < low * (1.0 - CLOD_DOUBTS_APART) || stress > high * (1.0 + CLOD_DOUBTS_APART)) {
         clod_warning_list_add(
             &self->warnings,
             "%s: at the critical outlet %s is %.3f kPa, outside what was measured, %.3f to %.3f "
@@ -134,7 +58,7 @@ static void warn_strength(clod_hopper *self)
         const clod_curve_point *p = &curve->points[i - 1];
         const clod_curve_point *q = &curve->points[i];
         const double error = hypot(p->y_error, q->y_error);
-        if (p->y - q->y > fmax(2.0 * error, APART * p->y)) {
+        if (p->y - q->y > fmax(2.0 * error, CLOD_DOUBTS_APART * p->y)) {
             clod_warning_list_add(
                 &self->warnings,
                 "Flow function: f_c falls from %.6g kPa at sigma_1 %.6g kPa to %.6g kPa at %.6g "

@@ -7,6 +7,8 @@
 
 #include "hopper/result.h"
 
+#define CLOD_DOUBTS_APART 0.01 ///< relative distance below which two stresses count as the same
+
 /**
  * Refuse what cannot be.
  *

@@ -12,6 +12,7 @@
 
 // Draws of one sample: those of points from 0 on, the others far behind them.
 #define OF_ROW (UINT64_C(1) << 40)
+#define OF_PART(part) ((uint64_t)(part) << 36) ///< of a row
 #define OF_TEST(test) ((UINT64_C(2) + (uint64_t)(test)) << 44)
 #define OF_SET(set) ((UINT64_C(1) + (uint64_t)(set)) << 20)
 
@@ -108,6 +109,28 @@ static double together(const clod_draw *self, const clod_curve *curve, size_t se
     return sum != 0.0 ? sum * numbers[curve->specimens + set] : 0.0;
 }
 
+/** What moves y of a point together with the others of its row. */
+static double joint(const clod_draw *self, uint64_t item, const clod_curve_point *from)
+{
+    double sum = 0.0;
+    for (size_t k = 0; k < CLOD_CURVE_JOINT; k++) {
+        sum += from->part[k] * normal(self, item, OF_ROW + OF_PART(k) + 2 * from->row);
+    }
+    return sum;
+}
+
+/** What moves y of a point by itself. */
+static double own(const clod_draw *self, uint64_t item, const clod_curve *curve, size_t i,
+                  uint64_t draw)
+{
+    const clod_curve_point *from = &curve->points[i];
+    const bool repeats = from->spread == NULL && from->freedom > 0;
+    const uint64_t of_scale = OF_TEST(curve->test) + OF_SET(i);
+    return alone(from->y_error, from->spread, curve->specimens) *
+           (repeats ? scale_of(self, item, of_scale, from->freedom) : 1.0) *
+           normal(self, item, draw);
+}
+
 /** Draw the points of a curve; `draw` is the next number of points. */
 static void draw_curve(const clod_draw *self, uint64_t item, const clod_curve *measured,
                        clod_curve *curve, uint64_t *draw)
@@ -116,15 +139,13 @@ static void draw_curve(const clod_draw *self, uint64_t item, const clod_curve *m
         const clod_curve_point *from = &measured->points[i];
         const uint64_t of_x = from->row > 0 ? OF_ROW + 2 * from->row : *draw;
         const double x = alone(from->x_error, from->x_spread, measured->specimens);
-        const bool repeats = from->spread == NULL && from->freedom > 0;
-        const uint64_t of_scale = OF_TEST(measured->test) + OF_SET(i);
-        const double y = alone(from->y_error, from->spread, measured->specimens) *
-                         (repeats ? scale_of(self, item, of_scale, from->freedom) : 1.0);
+        const double y =
+            from->joint ? joint(self, item, from) : own(self, item, measured, i, *draw + 2);
         curve->points[i].x =
             fmax(LEAST_PART * from->x, from->x + x * normal(self, item, of_x) +
                                            together(self, measured, from->set, from->x_spread));
-        curve->points[i].y = fmax(0.0, from->y + y * normal(self, item, *draw + 2) +
-                                           together(self, measured, from->set, from->spread));
+        curve->points[i].y =
+            fmax(0.0, from->y + y + together(self, measured, from->set, from->spread));
     }
 }
 

@@ -11,6 +11,7 @@
 #include "base/json.h"
 #include "clod/version.h"
 #include "hopper/fields.h"
+#include "hopper/joint.h"
 
 #define DEGREES 57.295779513082323
 
@@ -145,14 +146,17 @@ char *clod_hopper_json(const clod_hopper *self)
         json_array_append_new(overrides, json_string(self->overrides[i]));
     }
     const clod_hopper_interval *interval_of = &self->from.interval;
+    const clod_joint_rows loci = clod_joint_count(&self->solid);
     json_t *all = json_pack(
-        "{s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I}, s:o, s:o}", "title",
-        self->from.title, "version", clod_version_text(), "case", self->path, "overrides",
-        overrides, "cone", shape_of(&self->shape[CLOD_RADIAL_CONE]), "wedge",
+        "{s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I, s:I, s:I}, s:o, s:o}",
+        "title", self->from.title, "version", clod_version_text(), "case", self->path,
+        "overrides", overrides, "cone", shape_of(&self->shape[CLOD_RADIAL_CONE]), "wedge",
         shape_of(&self->shape[CLOD_RADIAL_WEDGE]), "rathole", rathole_of(self), "measured",
         measured(self), "arch_thickness", CLOD_HOPPER_ARCH_NAMES[self->from.arch], "interval",
         "level", interval_of->level, "samples", (json_int_t)interval_of->samples, "seed",
-        (json_int_t)interval_of->seed, "specimens", specimens_of(self), "warnings", warnings);
+        (json_int_t)interval_of->seed, "loci_drawn_together", (json_int_t)loci.together,
+        "loci_drawn_apart", (json_int_t)loci.apart, "specimens", specimens_of(self), "warnings",
+        warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

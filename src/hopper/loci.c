@@ -3,6 +3,7 @@
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 #include <sys/stat.h>
 
 #include "analysis/angles.h"
@@ -75,6 +76,38 @@ static bool share(const clod_locus_study *study, clod_loci *self, clod_status *s
     return true;
 }
 
+bool clod_loci_join(clod_loci_row *row)
+{
+    clod_curve_point *points[] = {&row->strength, &row->phi_e, &row->phi_t};
+    double error[CLOD_CURVE_JOINT] = {row->strength.x_error};
+    double part[CLOD_CURVE_JOINT][CLOD_CURVE_JOINT];
+    bool known = false;
+    for (size_t k = 0; k < CLOD_JOINT_PAIRS; k++) {
+        known = known || !isnan(row->correlation[k]);
+    }
+    for (size_t k = 0; k < sizeof points / sizeof points[0]; k++) {
+        error[k + 1] = points[k]->y > 0.0 || k == 0 ? points[k]->y_error : 0.0;
+    }
+    if (!known) {
+        return true;
+    }
+    if (!clod_joint_factor(error, row->correlation, part)) {
+        return false;
+    }
+    for (size_t k = 0; k < sizeof points / sizeof points[0]; k++) {
+        points[k]->joint = true;
+        memcpy(points[k]->part, part[k + 1], sizeof points[k]->part);
+    }
+    return true;
+}
+
+/** The errors of a locus of one specimen, which come of the same points. */
+static void join(const clod_locus *locus, clod_loci_row *row)
+{
+    memcpy(row->correlation, locus->correlation, sizeof row->correlation);
+    (void)clod_loci_join(row); // clod locus propagates errors: its correlations have some
+}
+
 /** Rows of the loci of a study. */
 static bool rows_of(const clod_locus_study *study, bool brings_phi_e, clod_loci *self,
                     clod_tables_notes *notes, clod_status *status)
@@ -93,6 +126,7 @@ static bool rows_of(const clod_locus_study *study, bool brings_phi_e, clod_loci 
         put(&rows[g].rho, locus->rho_b);
         rows[g].strength.x = locus->sigma_1.value;
         rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
+        join(locus, &rows[g]);
         take_notes(locus, notes);
     }
     if (study->warning[0] != '\0') {

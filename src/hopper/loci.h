@@ -6,6 +6,7 @@
 
 #include <limits.h>
 
+#include "hopper/joint.h"
 #include "hopper/specimens.h"
 #include "hopper/tables.h"
 
@@ -13,6 +14,8 @@
 typedef struct clod_loci_row {
     clod_curve_point strength, phi_e, phi_t,
         rho; ///< x, and what belongs to it, in strength alone
+    double correlation
+        [CLOD_JOINT_PAIRS]; ///< of the errors of sigma_1, f_c, phi_e, phi_t; NAN: not known
 } clod_loci_row;
 
 /** The loci of shear tests. */
@@ -33,6 +36,13 @@ typedef struct clod_loci {
  */
 bool clod_loci_read(const clod_hopper_case *of, clod_loci *loci, clod_tables_notes *notes,
                     clod_status *status);
+
+/**
+ * Let the values of a row move together, where a correlation of their errors is known.
+ *
+ * @return  false: there are no errors with such correlations
+ */
+bool clod_loci_join(clod_loci_row *row);
 
 /** Free the content; loci of zeros are fine. */
 void clod_loci_fini(clod_loci *self);

@@ -103,7 +103,8 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
     clod_words_verdict(found, text);
     put_text(out, "  ", text);
     if (clod_words_judged(found, text)) {
-        put_text(out, "  limit and half angle: ", text);
+        const bool funnel = found->design.outcome == CLOD_HOPPER_FUNNEL;
+        put_text(out, funnel ? "  why: " : "  limit and half angle: ", text);
     }
     for (int n = 0; n < CLOD_HOPPER_MARGIN; n++) {
         put_line(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
@@ -155,6 +156,10 @@ char *clod_hopper_table(const clod_hopper *self)
     fprintf(out, "\n  %.3g %% interval from %lld samples, seed %lld; H(theta) by %s\n",
             100.0 * self->from.interval.level, (long long)self->from.interval.samples,
             (long long)self->from.interval.seed, CLOD_HOPPER_ARCH_NAMES[self->from.arch]);
+    char drawn[CLOD_WORDS_MOST];
+    if (clod_words_drawn(self, drawn)) {
+        put_text(out, "  ", drawn);
+    }
     fputs(self->warnings.count > 0 ? "\n  Warnings\n" : "", out);
     for (size_t i = 0; i < self->warnings.count; i++) {
         put_text(out, "  - ", self->warnings.text[i]);

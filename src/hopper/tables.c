@@ -16,6 +16,10 @@
 typedef clod_loci_row row;
 
 #define ROW(field) .offset = offsetof(row, field)
+#define PAIR(k, ...)                                                                           \
+    {                                                                                          \
+        .names = {__VA_ARGS__}, .unit = "1", .least = -1.0, .most = 1.0, ROW(correlation[k])   \
+    }
 
 static const clod_csv_column FLOW[] = {
     {.names = {"sigma_1"}, .unit = "Pa", .positive = true, .required = true, ROW(strength.x)},
@@ -32,6 +36,12 @@ static const clod_csv_column FLOW[] = {
     {.names = {"phi_t_error", "phi_lin_error"}, .unit = "rad", ROW(phi_t.y_error)},
     {.names = {"rho_b", "rho"}, .unit = "kg/m3", .positive = true, ROW(rho.y)},
     {.names = {"rho_b_error"}, .unit = "kg/m3", ROW(rho.y_error)},
+    PAIR(0, "correlation_sigma_1_sigma_c", "correlation_sigma_1_f_c"),
+    PAIR(1, "correlation_sigma_1_phi_e"),
+    PAIR(2, "correlation_sigma_1_phi_lin", "correlation_sigma_1_phi_t"),
+    PAIR(3, "correlation_sigma_c_phi_e", "correlation_f_c_phi_e"),
+    PAIR(4, "correlation_sigma_c_phi_lin", "correlation_f_c_phi_t"),
+    PAIR(5, "correlation_phi_e_phi_lin", "correlation_phi_e_phi_t"),
 };
 
 /** Columns that clod locus --csv and a uniaxial test write and a hopper does not need. */
@@ -61,9 +71,21 @@ static const char *const SKIPPED[] = {"seeds",
 
 static bool check_flow(const clod_csv *self, const void *of)
 {
-    const double rho = ((const row *)of)->rho.y;
-    return rho == 0.0 || clod_bulk_density_check(self, rho); // 0: not there
+    row at = *(const row *)of;
+    if (at.rho.y != 0.0 && !clod_bulk_density_check(self, at.rho.y)) { // 0: not there
+        return false;
+    }
+    return clod_loci_join(&at) ||
+           clod_status_fail(
+               self->status, CLOD_USAGE,
+               "%s:%zu: no errors have these correlations together: of three, two that are close "
+               "to 1 or -1 leave little to the third. Take all of them from one evaluation, or "
+               "none.",
+               self->path, self->line);
 }
+
+/** A row before it is read. */
+static const row UNKNOWN = {.correlation = {NAN, NAN, NAN, NAN, NAN, NAN}};
 
 static const clod_csv_kind FLOW_KIND = {
     .columns = FLOW,
@@ -123,7 +145,10 @@ static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, 
     if (!clod_input_read(path, SIZE_MAX, &text, &length, status)) {
         return false;
     }
-    clod_csv csv = {.kind = kind, .path = path, .status = status};
+    clod_csv csv = {.kind = kind,
+                    .first = kind == &FLOW_KIND ? &UNKNOWN : NULL,
+                    .path = path,
+                    .status = status};
     const bool good = clod_csv_parse(&csv, text, length);
     clod_memory_free(text);
     *rows = csv.rows;
@@ -165,8 +190,11 @@ bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *sta
 {
     void *rows;
     size_t count;
-    const bool good = read_file(path, &FLOW_KIND, &rows, &count, status) &&
-                      take_rows(rows, count, solid, status);
+    bool good = read_file(path, &FLOW_KIND, &rows, &count, status);
+    for (size_t i = 0; i < count; i++) {
+        (void)clod_loci_join((row *)rows + i); // they were checked line by line
+    }
+    good = good && take_rows(rows, count, solid, status);
     clod_memory_free(rows);
     return good;
 }

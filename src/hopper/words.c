@@ -4,7 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "hopper/joint.h"
+
 #define DEGREES 57.295779513082323
+#define NO_ANGLE 1.5 ///< rad: of a wall that the solid does not slide along
 
 void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
 {
@@ -38,16 +41,46 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
     }
 }
 
+/** "the wall friction angle is 24.1 deg", or that there is none. */
+static void put_wall(const clod_solid_state *state, char text[64])
+{
+    if (state->phi_w < NO_ANGLE) {
+        snprintf(text, 64, "the wall friction angle is %.1f deg", DEGREES * state->phi_w);
+    } else {
+        snprintf(text, 64, "the solid slides at no half angle");
+    }
+}
+
+/** Which state makes it funnel flow. */
+static void judge_funnel(const clod_hopper_design *at, char text[CLOD_WORDS_MOST])
+{
+    char wall[64];
+    put_wall(&at->state, wall);
+    if (at->built > 0.0) {
+        snprintf(text, CLOD_WORDS_MOST,
+                 "at the outlet of %.1f mm, sigma_1 of %.3f kPa, the solid slides; at larger "
+                 "stresses above it, sigma_1 of %.3f kPa, it does not: %s",
+                 1e3 * at->built, 1e-3 * at->judged.sigma_1, 1e-3 * at->state.sigma_1, wall);
+    } else {
+        snprintf(text, CLOD_WORDS_MOST, "where sigma_1 is %.3f kPa, phi_e %.1f deg, and %s",
+                 1e-3 * at->state.sigma_1, DEGREES * at->state.phi_e, wall);
+    }
+}
+
 bool clod_words_judged(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
 {
     const clod_hopper_design *at = &found->design;
+    if (at->outcome == CLOD_HOPPER_FUNNEL) {
+        judge_funnel(at, text);
+        return at->state.sigma_1 > 0.0;
+    }
     const bool other = at->built > 0.0 && !(at->judged.sigma_1 == at->state.sigma_1);
     snprintf(text, CLOD_WORDS_MOST,
              "at the outlet of %.1f mm, where sigma_1 is %.3f kPa, phi_e %.1f and the wall "
              "friction angle %.1f deg",
              1e3 * at->built, 1e-3 * at->judged.sigma_1, DEGREES * at->judged.phi_e,
              DEGREES * at->judged.phi_w);
-    return other && at->outcome != CLOD_HOPPER_FUNNEL;
+    return other;
 }
 
 void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
@@ -67,6 +100,23 @@ void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST
                      100.0 * found->share[k], WORDS[k]);
         }
     }
+}
+
+bool clod_words_drawn(const clod_hopper *self, char text[CLOD_WORDS_MOST])
+{
+    const clod_joint_rows rows = clod_joint_count(&self->solid);
+    const size_t all = rows.together + rows.apart;
+    if (rows.apart == 0) {
+        snprintf(text, CLOD_WORDS_MOST,
+                 "Errors of one yield locus (sigma_1, f_c, phi_e, phi_t) are drawn together.");
+    } else {
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "Errors of one yield locus (sigma_1, f_c, phi_e, phi_t) are drawn "
+            "independently in %zu of %zu rows: the flow function has no correlations of them.",
+            rows.apart, all);
+    }
+    return all > 0;
 }
 
 const char *const CLOD_WORDS_HOLES[CLOD_HOPPER_HOLES] = {

@@ -84,8 +84,14 @@ static void put_causes(FILE *out, const clod_hopper *design)
     clod_html_section(out, "interval", "Where the intervals come from");
     fprintf(out,
             "<p>%lld samples: each is a design from values drawn within the errors of what was "
-            "measured.</p>\n<ul>",
+            "measured.",
             (long long)interval->samples);
+    char drawn[CLOD_WORDS_MOST];
+    if (clod_words_drawn(design, drawn)) {
+        fputs(" ", out);
+        clod_html_text(out, drawn);
+    }
+    fputs("</p>\n<ul>", out);
     for (int k = 0; k < CLOD_HOPPER_SHAPES; k++) {
         char text[CLOD_WORDS_MOST];
         clod_words_shares(&design->shape[CLOD_HOPPER_CELLS_SHAPES[k]], text);

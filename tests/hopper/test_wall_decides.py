@@ -3,6 +3,7 @@
 The solid flows freely: its flow function meets the flow factor at some 0.02 kPa, where a line through wall friction points of 1
 to 16 kPa, whose intercept is 0.05 +- 0.04 kPa, says nothing."""
 
+import math
 import os
 import sys
 
@@ -134,6 +135,28 @@ class WallDecides(hopper_case.Case):
         self.assertIn("Cone: the outlet that is given, 500 mm, is wider than the silo, 100 mm", told)
         self.assertRegex(warned(usual, (), silo), "Cone: the critical outlet, [0-9.]+ mm, is wider than the silo, 100 mm")
         self.assertNotIn("wider than the silo, ", warned(usual, ("--set", "cone.outlet=500 mm"), silo.replace("0.1", "3")))
+
+    def test_funnel_flow_says_why(self):
+        """A wall whose angle rises with stress, from 9 to 28 deg, and a strong solid: 30 deg slide at an outlet of 30 mm,
+        but not at 16 kPa, the largest that was measured. There sigma_w = sigma_1 (1 + s cos 2 beta)/(1 + s), by hand."""
+        s = math.sin(math.radians(46))
+        phi = math.radians(25)
+        for _ in range(200):
+            double_beta = phi + math.asin(math.sin(phi) / s)
+            sigma_w = 16 * (1 + s * math.cos(double_beta)) / (1 + s)
+            phi = math.atan((4.2 + 0.6 * (sigma_w - 8)) / sigma_w)
+        rows = "2,1.4,0.05,48,40,1250\n4,2.6,0.05,47,40,1300\n8,4.6,0.08,46,39,1350\n16,8.0,0.08,46,39,1350\n"
+        self.start(rows, more="cone: {half_angle: 30 deg, outlet: 30 mm}\n")
+        self.write("wall.csv", "sigma_w [kPa],tau_w [kPa]\n0.5,0.08\n1,0.16\n2,0.5\n4,1.8\n8,4.2\n")
+        told = " ".join(self.hopper("case.yaml").stdout.split("Wedge")[0].split())
+        self.assertIn("why: at the outlet of 30.0 mm, sigma_1 of 0.2", told)
+        self.assertIn("kPa, the solid slides; at larger stresses above it, sigma_1 of 16.000 kPa, it does not: the wall "
+                      f"friction angle is {math.degrees(phi):.1f} deg", told)
+        self.start(rows, "angle: 60 deg")
+        told = " ".join(self.hopper("case.yaml").stdout.split())
+        self.assertEqual(told.count("why: where sigma_1 is 16.000 kPa, phi_e 46.0 deg, and the solid slides at no half angle"), 2)
+        self.start()
+        self.assertNotIn("why:", self.hopper("case.yaml").stdout)
 
     def test_a_page_without_a_rathole_says_why(self):
         """phi_t of 25 deg is outside 30 to 70 deg, where Jenike's G is known."""

@@ -1,0 +1,92 @@
+"""Errors of one yield locus, which clod hopper draws together where the table of clod locus has their correlations."""
+
+import json
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import hopper_case
+from hopper_case import clod
+
+CASE = "flow_function: {%s}\nwall_friction: {angle: 18 deg, error: 0.5 deg}\n"
+APART = "Errors of one yield locus (sigma_1, f_c, phi_e, phi_t) are drawn independently in %d of 2 rows"
+TOGETHER = "Errors of one yield locus (sigma_1, f_c, phi_e, phi_t) are drawn together."
+HEAD = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_e_error [deg],rho_b [kg/m3],correlation_f_c_phi_e [%s]\n"
+
+
+class Joint(hopper_case.Case):
+
+    def points(self):
+        """Points of four stresses at two preshears, off a line by some 2 %."""
+        rows = [f"{p},{0.99 * (c + 0.75 * p) * f:.4f},{k * p},{(c + 0.75 * k * p) * g:.4f},{1250 + 20 * p}"
+                for p, c in ((3, 0.55), (10, 1.3))
+                for k, f, g in ((0.3, 1.01, 1.02), (0.45, 0.98, 0.97), (0.6, 1.0, 0.99), (0.75, 1.02, 1.01))]
+        self.write("points.csv", "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+                   + "\n".join(rows) + "\n")
+        return clod.run("locus", "points.csv", "--csv", cwd=self.folder).stdout
+
+    def told(self):
+        return " ".join(self.hopper("case.yaml").stdout.split())
+
+    def test_a_table_of_loci_gives_the_intervals_of_its_points(self):
+        """To the ten digits of the table; without the correlations others."""
+        table = self.points()
+        self.write("case.yaml", CASE % "shear_tests: [{points: points.csv}]")
+        points = self.found()
+        self.assertIn(TOGETHER, self.told())
+        self.write("table.csv", table)
+        self.write("case.yaml", CASE % "file: table.csv")
+        loci = self.found()
+        self.assertIn(TOGETHER, self.told())
+        lines = [line.split(",") for line in table.splitlines()]
+        self.assertEqual([cell.split(" ")[0] for cell in lines[0][-6:]], [
+            "correlation_" + pair for pair in ("sigma_1_sigma_c", "sigma_1_phi_e", "sigma_1_phi_lin",
+                                               "sigma_c_phi_e", "sigma_c_phi_lin", "phi_e_phi_lin")])
+        self.write("table.csv", "".join(",".join(line[:-6]) + "\n" for line in lines))
+        apart = self.found()
+        self.assertIn(APART % 2, self.told())
+        self.write("table.csv", "".join(",".join(line if k != 1 else line[:-6] + [""] * 6) + "\n"
+                                        for k, line in enumerate(lines)))
+        partly = self.found()
+        self.assertIn(APART % 1, self.told())
+        counts = [(of["interval"]["loci_drawn_together"], of["interval"]["loci_drawn_apart"])
+                  for of in (points, loci, apart, partly)]
+        self.assertEqual(counts, [(2, 0), (2, 0), (0, 2), (1, 1)])
+        for shape in ("cone", "wedge"):
+            for end in ("value", "low", "high"):
+                self.assertAlmostEqual(loci[shape]["outlet_m"][end], points[shape]["outlet_m"][end], delta=1e-6)
+            self.assertGreater(abs(apart[shape]["outlet_m"]["high"] - points[shape]["outlet_m"]["high"]), 1e-4)
+        self.hopper("case.yaml", "-o", "design")
+        with open(self.path("design.html")) as file:
+            self.assertIn(APART % 1, file.read())
+
+    def test_the_json_of_loci_has_the_correlations(self):
+        table = self.points().splitlines()
+        loci = json.loads(clod.run("locus", "points.csv", "--json", cwd=self.folder).stdout)["loci"]
+        for line, locus in zip(table[1:], loci):
+            of = locus["error_correlations"]
+            self.assertEqual(len(of), 6)
+            for name, cell in zip(table[0].split(",")[-6:], line.split(",")[-6:]):
+                self.assertAlmostEqual(of[name[len("correlation_"):-len(" [1]")]], float(cell), places=9)
+        seeds = clod.run("locus", clod.source("cases/lab-to-outlet/shear.csv"), "--csv", cwd=self.folder).stdout
+        self.assertEqual([line.split(",")[-6:] for line in seeds.splitlines()[1:]], 3 * [6 * [""]])
+
+    def test_correlations_that_cannot_be_are_refused(self):
+        rows = "2,1.4,0.1,48,1,1250,%s\n8,2.9,0.1,46,1,1350,0.5\n"
+        self.write("case.yaml", CASE % "file: flow.csv")
+        self.write("flow.csv", HEAD % "1" + rows % "-0.5")
+        self.assertEqual(self.found()["interval"]["loci_drawn_together"], 2)
+        self.write("flow.csv", HEAD % "%" + (rows % "-50").replace(",0.5\n", ",50\n"))
+        self.assertEqual(self.found()["interval"]["loci_drawn_together"], 2)
+        for cell in ("1.2", "-1.01"):
+            self.write("flow.csv", HEAD % "1" + rows % cell)
+            done = self.hopper("case.yaml", code=2)
+            self.assertIn(f'flow.csv:2: column correlation_sigma_c_phi_e: "{cell}" must be -1 to 1.', done.stderr)
+        head = HEAD.replace("rho_b [kg/m3]", "sigma_1_error [kPa],rho_b [kg/m3],correlation_sigma_1_f_c [1],correlation_sigma_1_phi_e [1]")
+        self.write("flow.csv", head % "1" + "2,1.4,0.1,48,1,0.1,1250,0.9,0.9,-0.9\n")
+        done = self.hopper("case.yaml", code=2)
+        self.assertIn("flow.csv:2: no errors have these correlations together", done.stderr)
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
