@@ -346,7 +346,9 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
         // critical at so little stress that the wall holds it: at what was measured, it may not
         at = self;
         if (shape_at(solid, wish, solid->strength.points[0].x, &at)) {
-            return design_for(solid, wish, &at, outlet_of(&at));
+            self = design_for(solid, wish, &at, outlet_of(&at));
+            self.at_measured = true;
+            return self;
         }
     }
     if (self.outcome == CLOD_HOPPER_NO_ARCH) {

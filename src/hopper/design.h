@@ -42,7 +42,8 @@ typedef enum clod_hopper_outcome {
 /**
  * A hopper of one shape; where there is no critical outlet the state is that of the largest or
  * smallest measured stress. Limit and half angle are those at the stresses of the outlet that is
- * built: the largest of that of the wish, that of large particles and the critical one.
+ * built: the largest of that of the wish, that of large particles and the critical one; or, where the
+ * wall holds the solid at the critical one and no outlet is given, at the smallest measured sigma_1.
  */
 typedef struct clod_hopper_design {
     clod_hopper_outcome outcome;
@@ -51,6 +52,7 @@ typedef struct clod_hopper_design {
     double built;            ///< m: that outlet; 0: there is none
     bool sticks; ///< at outlets below the critical one the solid does not slide along the wall;
                  ///< without that, no arch would stand over some of them
+    bool at_measured;   ///< limit and half angle are those at the smallest measured sigma_1
     double limit;       ///< rad: largest half angle of mass flow in a cone; 0: none
     double half_angle;  ///< rad
     double arch;        ///< H

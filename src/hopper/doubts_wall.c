@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "hopper/doubts.h"
+#include "hopper/fields.h"
 
 #define DEGREE (M_PI / 180.0)
 #define STEEPER (1.0 * DEGREE) // of phi_w: by so much an extrapolation decides
@@ -70,6 +71,18 @@ static void warn_upwards(clod_hopper *self, const char *name, const clod_hopper_
     }
 }
 
+/** Nothing but the range of the tests chose the stress of the half angle. */
+static void warn_measured(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const clod_hopper_design *at = &found->design;
+    clod_warning_list_add(
+        &self->warnings,
+        "%s: at the stresses of a critical outlet the wall holds the solid. So the half angle is that "
+        "for the smallest measured sigma_1, %.3f kPa, and the critical outlet that of this half angle: "
+        "tests at other stresses would give another pair. Give %s.outlet, the outlet that is built.",
+        name, 1e-3 * at->judged.sigma_1, CLOD_HOPPER_SHAPE_NAMES[found->wish.shape]);
+}
+
 void clod_doubts_wall(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
     const clod_hopper_design *at = &found->design;
@@ -84,6 +97,9 @@ void clod_doubts_wall(clod_hopper *self, const char *name, const clod_hopper_fou
     } else if (is_extrapolated(wall, &at->judged) &&
                !(at->sticks && at->judged.sigma_1 == at->state.sigma_1)) {
         warn_intercept(self, name, "the limit of mass flow", &at->judged);
+    }
+    if (at->at_measured) {
+        warn_measured(self, name, found);
     }
     if (mass_flow && at->limit > 0.0) {
         warn_upwards(self, name, found);

@@ -83,6 +83,12 @@ class WallDecides(hopper_case.Case):
         for shape in ("cone", "wedge"):
             self.assertEqual(found[shape]["outcome"], "flows")
             self.assertAlmostEqual(found[shape]["judged_at"]["sigma_1_Pa"], 3100.0, delta=1e-6)
+        words = "for the smallest measured sigma_1, 3.100 kPa, and the critical outlet that of this half angle"
+        self.assertEqual(len(self.told(found, "Cone", words)), 1)
+        self.assertEqual(len(self.told(found, "Wedge", words)), 1)
+        told = " ".join(self.hopper("case.yaml").stdout.split())
+        self.assertEqual(told.count("limit and half angle: at the smallest measured stress, that of an outlet of"), 2)
+        self.assertEqual(self.told(self.found(*BUILT), "Cone", "smallest measured sigma_1"), [])
 
     def test_an_intercept_that_decides_is_told(self):
         """A slot of 48 mm has some 0.5 kPa at its wall, half of what was measured; a cone of 500 mm has 2.8 kPa."""
