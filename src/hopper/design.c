@@ -2,10 +2,10 @@
 
 #include <math.h>
 
+#include "hopper/critical.h"
+
 #define DEGREE (M_PI / 180.0)
-#define ROUNDS 60
 #define NO_STRESS 1e-6 // of a measured one
-#define CLOSE 10.0     // relative change of sigma_1 at which the state is found, in tolerances
 
 double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape, double theta)
 {
@@ -16,101 +16,10 @@ double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape,
     return shape == CLOD_RADIAL_CONE ? (130.0 + degrees) / 65.0 : (200.0 + degrees) / 200.0;
 }
 
-/** Largest half angle of mass flow in a cone for a state; 0: none. */
-static double limit_at(const clod_solid_state *state, double tolerance)
-{
-    const clod_radial cone = {CLOD_RADIAL_CONE, state->phi_e, state->phi_w, tolerance};
-    double limit;
-    return clod_radial_limit(&cone, &limit) ? limit : 0.0;
-}
-
 double clod_hopper_limit_at(const clod_solid *solid, double sigma_1, double tolerance)
 {
     const clod_solid_state state = clod_solid_at(solid, sigma_1);
-    return limit_at(&state, tolerance);
-}
-
-/** Half angle, H and flow factor at one stress; false: funnel flow. */
-static bool shape_at(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1,
-                     clod_hopper_design *self)
-{
-    self->state = clod_solid_at(solid, sigma_1);
-    self->half_angle = wish->half_angle;
-    if (wish->half_angle == 0.0) {
-        self->limit = limit_at(&self->state, wish->tolerance);
-        self->half_angle = self->limit - wish->margin;
-    }
-    const clod_radial field = {wish->shape, self->state.phi_e, self->state.phi_w,
-                               wish->tolerance};
-    clod_radial_wall wall;
-    if (self->half_angle <= 0.0 || !clod_radial_solve(&field, self->half_angle, &wall)) {
-        return false;
-    }
-    self->arch = clod_hopper_arch_thickness(wish->arch, wish->shape, self->half_angle);
-    self->flow_factor = self->arch * wall.sigma_1 / (2.0 * sin(self->half_angle));
-    return true;
-}
-
-/** The stress to look at where the strength stays on one side: the end it tends to. */
-static double end_of(const clod_solid *solid, clod_curve_meeting meeting)
-{
-    const clod_curve *curve = &solid->strength;
-    return curve->points[meeting == CLOD_CURVE_BELOW ? 0 : curve->count - 1].x;
-}
-
-/** Where to look next, and within which bounds: sigma_1 lies between low and high. */
-typedef struct search {
-    double sigma_1, low, high;
-} search;
-
-/**
- * One round: the state at sigma_1 has a flow factor, and that another sigma_1. Bounds that close
- * in keep rounds from going in circles.
- */
-static clod_curve_meeting go_on(const clod_solid *solid, double flow_factor, search *at)
-{
-    double met = 0.0;
-    const clod_curve_meeting meeting =
-        clod_curve_meet(&solid->strength, 1.0 / flow_factor, &met);
-    if (meeting != CLOD_CURVE_MEETS) {
-        met = end_of(solid, meeting);
-    }
-    if (met > at->sigma_1) {
-        at->low = at->sigma_1;
-    } else {
-        at->high = at->sigma_1;
-    }
-    const bool inside = met > at->low && met < at->high;
-    at->sigma_1 = inside || met == at->sigma_1 ? met : sqrt(at->low * at->high);
-    return meeting;
-}
-
-/** Rounds from a first stress. */
-static clod_hopper_design settle_from(const clod_solid *solid, const clod_hopper_wish *wish,
-                                      double first)
-{
-    clod_hopper_design self = {.outcome = CLOD_HOPPER_UNSETTLED, .outlet = (double)NAN};
-    search at = {first, 1e-9, 1e12};
-    for (int round = 0; round < ROUNDS; round++) {
-        const double before = at.sigma_1;
-        if (!shape_at(solid, wish, before, &self)) {
-            self.outcome = CLOD_HOPPER_FUNNEL;
-            return self;
-        }
-        const clod_curve_meeting meeting = go_on(solid, self.flow_factor, &at);
-        if (fabs(at.sigma_1 - before) > CLOSE * wish->tolerance * before) {
-            continue;
-        }
-        static const clod_hopper_outcome OUTCOMES[] = {CLOD_HOPPER_NO_ARCH, CLOD_HOPPER_FLOWS,
-                                                       CLOD_HOPPER_ARCHES};
-        self.outcome = OUTCOMES[meeting];
-        self.outlet = meeting == CLOD_CURVE_MEETS ? self.state.strength * self.arch /
-                                                        (self.state.rho * CLOD_HOPPER_GRAVITY)
-                      : meeting == CLOD_CURVE_BELOW ? 0.0
-                                                    : (double)INFINITY;
-        return self;
-    }
-    return self;
+    return clod_critical_limit(&state, tolerance);
 }
 
 bool clod_hopper_is_critical(const clod_hopper_design *self)
@@ -119,31 +28,20 @@ bool clod_hopper_is_critical(const clod_hopper_design *self)
            (self->outcome == CLOD_HOPPER_UNPROVEN && self->outlet > 0.0);
 }
 
-static double first_of(const clod_solid *solid, const clod_hopper_wish *wish)
-{
-    return wish->first > 0.0 ? wish->first : solid->strength.points[0].x;
-}
-
-/** Rounds from small stresses up, and where they end at a wall that holds the solid, down. */
-static clod_hopper_design settle(const clod_solid *solid, const clod_hopper_wish *wish)
-{
-    const clod_curve *strength = &solid->strength;
-    const clod_hopper_design self = settle_from(solid, wish, first_of(solid, wish));
-    // a wall with adhesion may hold the solid at small stresses only
-    return self.outcome == CLOD_HOPPER_FUNNEL
-               ? settle_from(solid, wish, strength->points[strength->count - 1].x)
-               : self;
-}
-
 /** About the half angle of the design, by the closed approximation of the limit (theory/hopper.md) at
  *  the first stress; NAN: none. */
 static double guess_angle(const clod_solid *solid, const clod_hopper_wish *wish)
 {
-    const clod_solid_state state = clod_solid_at(solid, first_of(solid, wish));
+    const clod_solid_state state = clod_solid_at(solid, clod_critical_first(solid, wish));
     const double s = sin(state.phi_e);
     return M_PI_2 - 0.5 * acos((1.0 - s) / (2.0 * s)) -
            clod_radial_beta(state.phi_e, state.phi_w) - wish->margin;
 }
+
+/** Where to look next, and within which bounds: sigma_1 lies between low and high. */
+typedef struct search {
+    double sigma_1, low, high;
+} search;
 
 /** How an outlet flows. */
 typedef enum flow { SLIDES, STICKS, UNSETTLED } flow;
@@ -156,18 +54,18 @@ typedef enum flow { SLIDES, STICKS, UNSETTLED } flow;
 static flow flow_below(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
                        double first, clod_hopper_design *at)
 {
-    search in = {first, 1e-9, 1e12};
+    search in = {first, CLOD_CRITICAL_LOWEST, CLOD_CRITICAL_HIGHEST};
     flow how = UNSETTLED;
     double slid = 0.0; // Pa: the last stress at which it did
     bool above = false;
-    for (int round = 0; round < ROUNDS; round++) {
+    for (int round = 0; round < CLOD_CRITICAL_ROUNDS; round++) {
         const double before = in.sigma_1;
         double next = 0.0;
-        how = shape_at(solid, wish, before, at) ? SLIDES : STICKS;
+        how = clod_critical_shape(solid, wish, before, at) ? SLIDES : STICKS;
         if (how == SLIDES) {
             slid = before;
             next = at->flow_factor * at->state.rho * CLOD_HOPPER_GRAVITY * outlet / at->arch;
-            if (fabs(next - before) <= CLOSE * wish->tolerance * before) {
+            if (fabs(next - before) <= CLOD_CRITICAL_CLOSE * wish->tolerance * before) {
                 return SLIDES;
             }
         }
@@ -182,8 +80,9 @@ static flow flow_below(const clod_solid *solid, const clod_hopper_wish *wish, do
         }
         in.sigma_1 = next > in.low && next < in.high ? next : sqrt(in.low * in.high);
     }
-    return how == STICKS || !shape_at(solid, wish, above ? in.high : in.low, at) ? STICKS
-                                                                                 : UNSETTLED;
+    return how == STICKS || !clod_critical_shape(solid, wish, above ? in.high : in.low, at)
+               ? STICKS
+               : UNSETTLED;
 }
 
 /** The same below the half angle of that state: a limit costs far more than a round, and the stress
@@ -195,20 +94,21 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
         return flow_below(solid, wish, outlet, first, at);
     }
     clod_hopper_wish fixed = *wish;
-    search in = {first, 1e-9, 1e12};
+    search in = {first, CLOD_CRITICAL_LOWEST, CLOD_CRITICAL_HIGHEST};
     fixed.half_angle = guess_angle(solid, wish);
     if (fixed.half_angle > 0.0 && flow_below(solid, &fixed, outlet, first, at) == SLIDES) {
         in.sigma_1 = at->state.sigma_1; // a better start
     }
-    for (int round = 0; round < ROUNDS; round++) {
+    for (int round = 0; round < CLOD_CRITICAL_ROUNDS; round++) {
         const double before = in.sigma_1;
-        if (!shape_at(solid, wish, before, at)) {
+        if (!clod_critical_shape(solid, wish, before, at)) {
             return STICKS;
         }
         fixed.half_angle = at->half_angle;
         const flow how = flow_below(solid, &fixed, outlet, before, at);
         const double next = at->state.sigma_1;
-        if (how == SLIDES && fabs(next - before) <= CLOSE * wish->tolerance * before) {
+        if (how == SLIDES &&
+            fabs(next - before) <= CLOD_CRITICAL_CLOSE * wish->tolerance * before) {
             return SLIDES;
         }
         if (how == UNSETTLED || (how == STICKS && next <= before)) {
@@ -231,7 +131,7 @@ static flow flow_at(const clod_solid *solid, const clod_hopper_wish *wish, doubl
 {
     const clod_curve *strength = &solid->strength;
     *at = (clod_hopper_design){0};
-    const flow how = flow_from(solid, wish, outlet, first_of(solid, wish), at);
+    const flow how = flow_from(solid, wish, outlet, clod_critical_first(solid, wish), at);
     return how == SLIDES
                ? how
                : flow_from(solid, wish, outlet, strength->points[strength->count - 1].x, at);
@@ -268,7 +168,7 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
     if (slides(solid, wish, low) || !slides(solid, wish, high)) {
         return;
     }
-    while (high > low * (1.0 + CLOSE * wish->tolerance)) {
+    while (high > low * (1.0 + CLOD_CRITICAL_CLOSE * wish->tolerance)) {
         const double middle = sqrt(low * high);
         if (slides(solid, wish, middle)) {
             high = middle;
@@ -277,7 +177,7 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
         }
     }
     clod_hopper_design at = *self;
-    if (shape_at(solid, wish, high, &at) &&
+    if (clod_critical_shape(solid, wish, high, &at) &&
         at.state.strength <= at.state.sigma_1 / at.flow_factor) {
         at.outcome = CLOD_HOPPER_FLOWS;
         at.outlet = outlet_of(&at);
@@ -301,7 +201,7 @@ static clod_hopper_design design_for(const clod_solid *solid, const clod_hopper_
 {
     clod_hopper_wish fixed = *wish;
     fixed.half_angle = at->half_angle;
-    clod_hopper_design self = settle(solid, &fixed);
+    clod_hopper_design self = clod_critical_settle(solid, &fixed);
     if (self.outcome != CLOD_HOPPER_ARCHES && self.outcome != CLOD_HOPPER_UNSETTLED) {
         begin_to_slide(solid, &fixed, at->state.sigma_1, &self);
     }
@@ -317,7 +217,7 @@ static bool seems_larger(const clod_solid *solid, const clod_hopper_wish *wish, 
     if (least == 0.0 || !(fixed.half_angle > 0.0)) {
         return least == 0.0;
     }
-    const clod_hopper_design self = settle(solid, &fixed);
+    const clod_hopper_design self = clod_critical_settle(solid, &fixed);
     return self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least;
 }
 
@@ -327,7 +227,7 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
     const double least = fmax(wish->outlet, wish->least);
     clod_hopper_design at;
     if (seems_larger(solid, wish, least)) { // and then, as a rule, it is: half the work
-        clod_hopper_design self = settle(solid, wish);
+        clod_hopper_design self = clod_critical_settle(solid, wish);
         if (self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least) {
             judge(&self, &self, 0.0);
             return self;
@@ -341,11 +241,12 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
             return self;
         }
     }
-    clod_hopper_design self = settle(solid, wish); // the critical outlet is larger
+    clod_hopper_design self =
+        clod_critical_settle(solid, wish); // the critical outlet is larger
     if (self.outcome == CLOD_HOPPER_FUNNEL && wish->outlet == 0.0) {
         // critical at so little stress that the wall holds it: at what was measured, it may not
         at = self;
-        if (shape_at(solid, wish, solid->strength.points[0].x, &at)) {
+        if (clod_critical_shape(solid, wish, solid->strength.points[0].x, &at)) {
             self = design_for(solid, wish, &at, outlet_of(&at));
             self.at_measured = true;
             return self;
@@ -370,7 +271,7 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
 {
     const clod_curve *strength = &solid->strength;
     const double least = fmax(wish->outlet, wish->least);
-    clod_hopper_design self = settle(solid, wish);
+    clod_hopper_design self = clod_critical_settle(solid, wish);
     clod_hopper_design at;
     double built = 0.0;
     if (least > self.outlet || self.outcome == CLOD_HOPPER_FUNNEL) {
@@ -390,7 +291,7 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
     if (self.sticks && self.outlet > built) {
         at = self;
     }
-    at.limit = limit_at(&at.state, wish->tolerance);
+    at.limit = clod_critical_limit(&at.state, wish->tolerance);
     at.half_angle = wish->half_angle;
     judge(&self, &at, built);
     return self;

@@ -58,12 +58,13 @@ static void judge_funnel(const clod_hopper_design *at, char text[CLOD_WORDS_MOST
     put_wall(&at->state, wall);
     if (at->built > 0.0) {
         const bool above = at->state.sigma_1 > at->judged.sigma_1;
-        snprintf(text, CLOD_WORDS_MOST,
-                 "at the outlet of %.1f mm, sigma_1 of %.3f kPa, the solid slides; at %s, sigma_1 of "
-                 "%.3f kPa, it does not: %s",
-                 1e3 * at->built, 1e-3 * at->judged.sigma_1,
-                 above ? "larger stresses above it" : "smaller stresses", 1e-3 * at->state.sigma_1,
-                 wall);
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "at the outlet of %.1f mm, sigma_1 of %.3f kPa, the solid slides; at %s, sigma_1 of "
+            "%.3f kPa, it does not: %s",
+            1e3 * at->built, 1e-3 * at->judged.sigma_1,
+            above ? "larger stresses above it" : "smaller stresses", 1e-3 * at->state.sigma_1,
+            wall);
     } else {
         snprintf(text, CLOD_WORDS_MOST, "where sigma_1 is %.3f kPa, phi_e %.1f deg, and %s",
                  1e-3 * at->state.sigma_1, DEGREES * at->state.phi_e, wall);
@@ -81,7 +82,8 @@ bool clod_words_judged(const clod_hopper_found *found, char text[CLOD_WORDS_MOST
     snprintf(text, CLOD_WORDS_MOST,
              "at %s outlet of %.1f mm, where sigma_1 is %.3f kPa, phi_e %.1f and the wall "
              "friction angle %.1f deg",
-             at->at_measured ? "the smallest measured stress, that of an" : "the", 1e3 * at->built, 1e-3 * at->judged.sigma_1, DEGREES * at->judged.phi_e,
+             at->at_measured ? "the smallest measured stress, that of an" : "the",
+             1e3 * at->built, 1e-3 * at->judged.sigma_1, DEGREES * at->judged.phi_e,
              DEGREES * at->judged.phi_w);
     return other;
 }

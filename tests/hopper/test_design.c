@@ -339,6 +339,37 @@ static void the_half_angle_is_that_of_the_outlet_that_is_built(void **state)
                 1e-9);
 }
 
+/**
+ * A critical state just above the stress at which the solid begins to slide, where the flow factor
+ * falls steeply: the flow function meets that of larger stresses where it sticks. At the outlet the
+ * stress in the arch is the strength; a little above it is more, below it less.
+ */
+static void a_critical_state_where_the_solid_begins_to_slide(void **state)
+{
+    (void)state;
+    static made of;
+    make_solid(&of, 52.0, 22.0, 1210.0);
+    add_strength(&of, 3.0, 0.657 + 0.248 * 3.0);
+    add_strength(&of, 24.0, 0.657 + 0.248 * 24.0);
+    static clod_curve_point wall[] = {{.x = 1e3, .y = 450.9},
+                                      {.x = 2e3, .y = 815.8},
+                                      {.x = 4e3, .y = 1532.0},
+                                      {.x = 16e3, .y = 6285.0}};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 4};
+    const clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 21.27, CLOD_HOPPER_ARCH_ARNOLD);
+    const clod_hopper_design at = clod_hopper_design_shape(&of.solid, &wish);
+    assert_int_equal(at.outcome, CLOD_HOPPER_FLOWS);
+    assert_true(!at.sticks);
+    check_relative(at.state.strength, at.state.sigma_1 / at.flow_factor, 1e-6);
+    check_relative(at.outlet, at.state.strength * at.arch / (1210.0 * CLOD_HOPPER_GRAVITY),
+                   1e-12);
+    check_relative(at.state.strength, 657.0 + 0.248 * at.state.sigma_1, 1e-9);
+    assert_true(clod_hopper_limit_at(&of.solid, 0.98 * at.state.sigma_1, wish.tolerance) <
+                wish.half_angle);
+    check_close(clod_hopper_margin_of(&of.solid, &wish, at.outlet).ratio, 1.0, 1e-5);
+    assert_true(clod_hopper_margin_of(&of.solid, &wish, 1.01 * at.outlet).ratio > 1.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -353,6 +384,7 @@ int main(void)
         cmocka_unit_test(a_wedge_wider_than_a_cone_may_be_is_not_known),
         cmocka_unit_test(results_follow_what_was_measured),
         cmocka_unit_test(where_the_wall_holds_the_solid_it_decides),
+        cmocka_unit_test(a_critical_state_where_the_solid_begins_to_slide),
         cmocka_unit_test(the_half_angle_is_that_of_the_outlet_that_is_built),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,140 @@
+#include "hopper/critical.h"
+
+#include <math.h>
+
+#define QUICK 20 ///< rounds after which bounds are halved
+
+double clod_critical_limit(const clod_solid_state *state, double tolerance)
+{
+    const clod_radial cone = {CLOD_RADIAL_CONE, state->phi_e, state->phi_w, tolerance};
+    double limit;
+    return clod_radial_limit(&cone, &limit) ? limit : 0.0;
+}
+
+bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1,
+                         clod_hopper_design *self)
+{
+    self->state = clod_solid_at(solid, sigma_1);
+    self->half_angle = wish->half_angle;
+    if (wish->half_angle == 0.0) {
+        self->limit = clod_critical_limit(&self->state, wish->tolerance);
+        self->half_angle = self->limit - wish->margin;
+    }
+    const clod_radial field = {wish->shape, self->state.phi_e, self->state.phi_w,
+                               wish->tolerance};
+    clod_radial_wall wall;
+    if (self->half_angle <= 0.0 || !clod_radial_solve(&field, self->half_angle, &wall)) {
+        return false;
+    }
+    self->arch = clod_hopper_arch_thickness(wish->arch, wish->shape, self->half_angle);
+    self->flow_factor = self->arch * wall.sigma_1 / (2.0 * sin(self->half_angle));
+    return true;
+}
+
+/** The stress to look at where the strength stays on one side: the end it tends to. */
+static double end_of(const clod_solid *solid, clod_curve_meeting meeting)
+{
+    const clod_curve *curve = &solid->strength;
+    return curve->points[meeting == CLOD_CURVE_BELOW ? 0 : curve->count - 1].x;
+}
+
+/** Where to look next, and within which bounds: sigma_1 lies between low and high. */
+typedef struct search {
+    double sigma_1, low, high;
+    bool led; ///< to sigma_1 by the bounds, not by the flow factor
+} search;
+
+/**
+ * One round: the state at sigma_1 has a flow factor, and that another sigma_1. Bounds that close
+ * in keep rounds from going in circles.
+ */
+static clod_curve_meeting go_on(const clod_solid *solid, double flow_factor, search *at)
+{
+    double met = 0.0;
+    const clod_curve_meeting meeting =
+        clod_curve_meet(&solid->strength, 1.0 / flow_factor, &met);
+    if (meeting != CLOD_CURVE_MEETS) {
+        met = end_of(solid, meeting);
+    }
+    if (met > at->sigma_1) {
+        at->low = at->sigma_1;
+    } else {
+        at->high = at->sigma_1;
+    }
+    const bool inside = met > at->low && met < at->high;
+    at->led = !inside && met != at->sigma_1;
+    at->sigma_1 = at->led ? sqrt(at->low * at->high) : met;
+    return meeting;
+}
+
+/** What a round that meets the flow function, or an end of it, has found. */
+static clod_hopper_design found_at(clod_hopper_design self, clod_curve_meeting meeting)
+{
+    static const clod_hopper_outcome OUTCOMES[] = {CLOD_HOPPER_NO_ARCH, CLOD_HOPPER_FLOWS,
+                                                   CLOD_HOPPER_ARCHES};
+    self.outcome = OUTCOMES[meeting];
+    self.outlet = meeting == CLOD_CURVE_MEETS
+                      ? self.state.strength * self.arch / (self.state.rho * CLOD_HOPPER_GRAVITY)
+                  : meeting == CLOD_CURVE_BELOW ? 0.0
+                                                : (double)INFINITY;
+    return self;
+}
+
+/**
+ * Rounds from a first stress. Where the solid begins to slide the flow factor falls steeply with the
+ * stress, and a round may jump past a critical state there to where the solid sticks; bounds lead
+ * back. Funnel flow, with the largest stress at which it sticks, if there is none above that.
+ */
+static clod_hopper_design settle_from(const clod_solid *solid, const clod_hopper_wish *wish,
+                                      double first)
+{
+    clod_hopper_design self = {.outcome = CLOD_HOPPER_UNSETTLED, .outlet = (double)NAN};
+    search at = {first, CLOD_CRITICAL_LOWEST, CLOD_CRITICAL_HIGHEST, false};
+    const double close = CLOD_CRITICAL_CLOSE * wish->tolerance;
+    double slid = 0.0, stuck = 0.0; // Pa: the last stresses at which it did
+    for (int round = 0; round < CLOD_CRITICAL_ROUNDS; round++) {
+        const double before = at.sigma_1;
+        if (!clod_critical_shape(solid, wish, before, &self)) {
+            if (before >= slid || slid - before <= close * before) {
+                self.outcome = CLOD_HOPPER_FUNNEL;
+                return self;
+            }
+            at.low = stuck = before;
+            at.sigma_1 = sqrt(at.low * at.high);
+            continue;
+        }
+        slid = before;
+        const clod_curve_meeting meeting = go_on(solid, self.flow_factor, &at);
+        if (round >= QUICK && at.low > CLOD_CRITICAL_LOWEST &&
+            at.high < CLOD_CRITICAL_HIGHEST) {
+            at.sigma_1 = sqrt(at.low * at.high); // rounds go to and fro, and hardly closer
+            at.led = true;
+        }
+        if (fabs(at.sigma_1 - before) > close * before) {
+            continue;
+        }
+        if (at.led && at.low == stuck) {
+            clod_critical_shape(solid, wish, stuck, &self); // no arch down to where it sticks
+            self.outcome = CLOD_HOPPER_FUNNEL;
+            return self;
+        }
+        return found_at(self, meeting);
+    }
+    return self;
+}
+
+double clod_critical_first(const clod_solid *solid, const clod_hopper_wish *wish)
+{
+    return wish->first > 0.0 ? wish->first : solid->strength.points[0].x;
+}
+
+/** Rounds from small stresses up, and where they end at a wall that holds the solid, down. */
+clod_hopper_design clod_critical_settle(const clod_solid *solid, const clod_hopper_wish *wish)
+{
+    const clod_curve *strength = &solid->strength;
+    const clod_hopper_design self = settle_from(solid, wish, clod_critical_first(solid, wish));
+    // a wall with adhesion may hold the solid at small stresses only
+    return self.outcome == CLOD_HOPPER_FUNNEL
+               ? settle_from(solid, wish, strength->points[strength->count - 1].x)
+               : self;
+}

@@ -1,0 +1,31 @@
+#pragma once
+/**
+ * @file critical.h
+ * The critical state of a hopper: where the flow function meets the flow factor of that state; for
+ * design.c and critical.c.
+ */
+
+#include "hopper/design.h"
+
+#define CLOD_CRITICAL_ROUNDS 60
+#define CLOD_CRITICAL_CLOSE                                                                    \
+    10.0 ///< relative change of sigma_1 at which the state is found, in tolerances
+#define CLOD_CRITICAL_LOWEST 1e-9 ///< Pa: bounds that no state has
+#define CLOD_CRITICAL_HIGHEST 1e12
+
+/** Largest half angle of mass flow in a cone for a state; 0: none. */
+double clod_critical_limit(const clod_solid_state *state, double tolerance);
+
+/** State, half angle, H and flow factor at one stress; false: funnel flow. */
+bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1,
+                         clod_hopper_design *self);
+
+/** The stress at which a search begins [Pa]. */
+double clod_critical_first(const clod_solid *solid, const clod_hopper_wish *wish);
+
+/**
+ * The critical state below the half angle of the wish, or below that of the state itself.
+ *
+ * Errors  none.   Threads  pure.   Source  docs/theory/hopper.md.   Test  tests/hopper/test_design.c
+ */
+clod_hopper_design clod_critical_settle(const clod_solid *solid, const clod_hopper_wish *wish);
