@@ -2,10 +2,12 @@
 
 #include "hopper/doubts.h"
 #include "hopper/fields.h"
+#include "hopper/radial.h"
 
 #define DEGREE (M_PI / 180.0)
 #define STEEPER (1.0 * DEGREE) // of phi_w: by so much an extrapolation decides
 #define LOWER (0.1 * DEGREE)   // of a limit of mass flow
+#define ROUNDS 20              // until sigma_1 and phi_e fit
 
 /**
  * Whether the wall friction angle of a state lies above that of the smallest measured stress since the
@@ -32,7 +34,27 @@ static void warn_intercept(clod_hopper *self, const char *name, const char *what
         atan2(first->y, first->x) / DEGREE, 1e-3 * first->x);
 }
 
-/** The measured stress above that of the outlet at which the limit of mass flow is lowest. */
+/**
+ * sigma_1 in flow where the wall feels a normal stress: sigma_w (1 + s)/(1 + s cos 2 beta). Where the solid does not
+ * slide along it, that where it would come to rest: beta is 45 deg.
+ */
+static double sigma_1_of(const clod_solid *solid, double sigma_w)
+{
+    const double phi_w = clod_solid_wall_angle(solid, sigma_w);
+    double sigma_1 = sigma_w;
+    for (int round = 0; round < ROUNDS; round++) { // phi_e hardly depends on sigma_1
+        const double phi_e = clod_curve_at(&solid->phi_e, sigma_1);
+        const double beta = clod_radial_beta(phi_e, phi_w);
+        const double cosine = beta >= 0.0 ? cos(2.0 * beta) : 0.0;
+        sigma_1 = sigma_w * (1.0 + sin(phi_e)) / (1.0 + sin(phi_e) * cosine);
+    }
+    return sigma_1;
+}
+
+/**
+ * The stress above that of the outlet at which the limit of mass flow is lowest, of those of the flow function and of
+ * those at which the wall feels what it was measured at.
+ */
 static double lowest(const clod_hopper *self, const clod_hopper_design *at, double *limit)
 {
     double stress = 0.0;
@@ -40,7 +62,8 @@ static double lowest(const clod_hopper *self, const clod_hopper_design *at, doub
     for (int c = 0; c < 2; c++) {
         const clod_curve *curve = &self->solid.curves[curves[c]];
         for (size_t i = 0; i < curve->count && curve->count > 1; i++) {
-            const double sigma_1 = curve->points[i].x;
+            const double x = curve->points[i].x;
+            const double sigma_1 = c == 0 ? x : sigma_1_of(&self->solid, x);
             const double there =
                 sigma_1 > at->judged.sigma_1
                     ? clod_hopper_limit_at(&self->solid, sigma_1, CLOD_RADIAL_TOLERANCE)

@@ -10,7 +10,8 @@
 #include "tester/wall_shear.h"
 
 #define SIDE_LIMIT 0.05 ///< of the wall normal stress that the sides carry
-#define SINK_LIMIT 0.18 ///< of a diameter between ridges, up to which both cells agree
+/// Of a diameter between ridges, up to which the straight cell was not above the solid: not at 0.16, but at 0.22.
+#define SINK_LIMIT 0.18
 
 static void add_settling(json_t *list, const clod_case *from, const clod_part *part)
 {

@@ -196,12 +196,14 @@ class Runs(bounce.Bounce):
             self.assertIn("clod crashed with signal 11", self.row("p002-1")["why"])
 
     def test_folder_of_someone_else_is_told_at_once(self):
+        """When its turn comes, without another run begun: of those that come later there is nothing."""
         os.makedirs(self.path("out/runs/p001-1-bounce"))
         self.write("out/runs/p001-1-bounce/summary.json", "{}")
-        began = time.monotonic()
-        done = self.calibrate(SHORT, "-o", "out", code=2)
+        done = self.calibrate(SHORT, "-o", "out", "-j", "1", code=2)
         self.assertIn("p001-1-bounce/summary.json is in the way", done.stderr)
-        self.assertLess(time.monotonic() - began, 15.0)
+        self.assertEqual(sorted(os.listdir(self.path("out/runs"))),
+                         ["p000-1-bounce", "p000-1-bounce.json", "p000-1-bounce.log", "p001-1-bounce"])
+        self.assertEqual(os.listdir(self.path("out/runs/p001-1-bounce")), ["summary.json"])
 
     def test_stop_is_heard_while_a_folder_is_in_use(self):
         os.makedirs(self.path("out/runs/p001-1-bounce"))
@@ -211,9 +213,7 @@ class Runs(bounce.Bounce):
             self.wait_for("p000-1", process)
             time.sleep(0.5)
             process.send_signal(signal.SIGTERM)
-            began = time.monotonic()
-            self.end(process, INTERRUPTED)
-            self.assertLess(time.monotonic() - began, 10.0)
+            self.end(process, INTERRUPTED)  # what does not hear it is refused later: the folder stays in use
 
     def test_stop_is_heard_while_the_posterior_is_made(self):
         """All runs are there, and no point is added to five: behind the lock there is nothing but the fit, here

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -106,6 +107,8 @@ class Locus(clod.Case):
         os.chmod(self.path("points.csv"), 0)
         drop = []
         if os.geteuid() == 0:  # root may read everything
+            if shutil.which("setpriv") is None:
+                self.skipTest("root may read everything, and setpriv is missing, which takes that right away")
             drop = ["setpriv", "--bounding-set=-dac_override,-dac_read_search"]
         for verb in ("locus", "run", "contact", "check"):
             done = subprocess.run([*drop, clod.BINARY, verb, "points.csv"], text=True,

@@ -101,12 +101,17 @@ class WallDecides(hopper_case.Case):
         self.assertNotIn(INTERCEPT, " ".join(self.found(*BUILT)["warnings"]))
 
     def test_a_limit_that_falls_upwards_is_told(self):
-        """A wall that gets rougher with stress: 20 deg at the outlet, more above."""
+        """A wall that gets rougher with stress: 20 deg at the outlet, more above. It was measured up to 16 kPa, where it has
+        26.6 deg: sigma_1 is larger there by (1 + s)/(1 + s cos 2 beta), s = sin 42 deg. By hand."""
         self.start()
         self.write("wall.csv", "sigma_w [kPa],tau_w [kPa]\n1,0.36\n4,1.46\n16,8.0\n")
         found = self.found(*BUILT)
-        said = self.told(found, "Cone", "higher in the hopper, where sigma_1 is 16.000 kPa")
+        phi, s = math.atan(0.5), math.sin(math.radians(42))
+        sigma_1 = 16 * (1 + s) / (1 + s * math.cos(phi + math.asin(math.sin(phi) / s)))
+        words = f"higher in the hopper, where sigma_1 is {sigma_1:.3f} kPa, the limit of mass flow in a cone is "
+        said = self.told(found, "Cone", words)
         self.assertEqual(len(said), 1, found["warnings"])
+        self.assertAlmostEqual(float(said[0].partition(words)[2].split()[0]), self.limit(math.degrees(phi)), delta=0.051)
         self.start()
         self.assertEqual(self.told(self.found(*BUILT), "Cone", "higher in the hopper"), [])
 

@@ -176,7 +176,8 @@ class From(rank_groups.Groups):
         process = self.start(2, out, old)
         # rows of before are there at once, ranks are not
         self.assertTrue(clod.wait_until(lambda: len(rank_kills.ranks_of(process)) == 2, process))
-        time.sleep(random.uniform(0.0, 0.5))
+        print(f"CLOD_TEST_SEED={rank_kills.SEED}")
+        time.sleep(random.Random(rank_kills.SEED).uniform(0.0, 0.5))
         os.kill(rank_kills.ranks_of(process)[-1], signal.SIGKILL)
         process.communicate(timeout=600)
         self.assertNotEqual(process.returncode, 0)
