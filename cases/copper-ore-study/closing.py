@@ -12,9 +12,15 @@ NEAR = 2.0  # deg
 READINGS = ("phi_lin", "phi_e", "phi_sf", "highest points")  # columns of records
 
 
-def normal(x):
-    """Distribution function of the standard normal distribution."""
-    return 0.5 * math.erfc(-x / math.sqrt(2.0))
+def student(x, freedom):
+    """Distribution function of Student's t (Abramowitz & Stegun 26.7.3 and 26.7.4)."""
+    angle = math.atan(x / math.sqrt(freedom))
+    term, total = (1.0, 0.0) if freedom % 2 == 0 else (math.cos(angle), 0.0)
+    for k in range(freedom % 2, freedom - 1, 2):  # of cos^k
+        total += term
+        term *= (k + 1) / (k + 2) * math.cos(angle) ** 2
+    inside = math.sin(angle) * total
+    return 0.5 + 0.5 * inside if freedom % 2 == 0 else 0.5 + (angle + inside) / math.pi
 
 
 def share_near(low, high, target, near=NEAR):
@@ -28,13 +34,14 @@ def any_of(share, count):
     return 1.0 - (1.0 - share) ** count
 
 
-def chance_near(value, error, target, near=NEAR):
-    """Probability that a normal quantity of this mean and standard error lies within `near` of a target."""
+def chance_near(value, error, freedom, target, near=NEAR):
+    """Probability that a mean with this standard error, known with so many degrees of freedom, lies within `near` of a
+    target."""
     if math.isnan(error):
         return math.nan
     if error == 0.0:
         return float(abs(value - target) <= near)
-    return normal((target + near - value) / error) - normal((target - near - value) / error)
+    return student((target + near - value) / error, freedom) - student((target - near - value) / error, freedom)
 
 
 def packings_of(clod, folder, kept):
@@ -69,7 +76,7 @@ def print_near(found):
             print("| " + " | ".join([
                 choice or "the case", f"{ore[3:]} %", reading, str(len(angles)), loci.told(angles),
                 f"{middle - PAPER[ore]:+.1f}", f"{middle - LABORATORY[ore]:+.1f}", "yes" if near else "no",
-                probability(chance_near(middle, error, PAPER[ore]))]) + " |")
+                probability(chance_near(middle, error, len(angles) - 1, PAPER[ore]))]) + " |")
 
 
 def print_chance(found):

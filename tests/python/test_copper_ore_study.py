@@ -113,12 +113,16 @@ class Chance(unittest.TestCase):
         self.assertAlmostEqual(near / trials, closing.any_of(closing.share_near(20, 60, 59), 5), delta=4 * 0.0033)
 
     def test_a_mean_with_an_error(self):
-        """Of the table of the normal distribution: 68.27 % lie within one standard deviation, half below the mean."""
-        self.assertAlmostEqual(closing.chance_near(44.6, 2.0, 44.6), 0.6827, places=4)
-        self.assertAlmostEqual(closing.chance_near(46.6, 0.2, 44.6), 0.5, places=9)
-        self.assertAlmostEqual(closing.chance_near(47.6, 1.0, 44.6), 0.1587, places=4)
-        self.assertEqual(closing.chance_near(46.0, 0.0, 44.6), 1.0)
-        self.assertTrue(math.isnan(closing.chance_near(44.6, math.nan, 44.6)))
+        """Of tables of Student's t: two-sided 90, 95 and 99 % points; half of it is below the mean; of one degree of
+        freedom half lies within one standard error."""
+        for freedom, points in ((1, (6.314, 12.706, 63.657)), (2, (2.920, 4.303, 9.925)), (5, (2.015, 2.571, 4.032)),
+                                (11, (1.796, 2.201, 3.106)), (30, (1.697, 2.042, 2.750))):
+            for share, point in zip((0.90, 0.95, 0.99), points):
+                self.assertAlmostEqual(closing.chance_near(44.6, 2.0 / point, freedom, 44.6), share, delta=1.5e-4)
+        self.assertAlmostEqual(closing.chance_near(44.6, 2.0, 1, 44.6), 0.5, places=9)
+        self.assertAlmostEqual(closing.chance_near(46.6, 0.02, 11, 44.6), 0.5, places=9)
+        self.assertEqual(closing.chance_near(46.0, 0.0, 3, 44.6), 1.0)
+        self.assertTrue(math.isnan(closing.chance_near(44.6, math.nan, 0, 44.6)))
 
 
 class Tables(unittest.TestCase):
@@ -158,7 +162,7 @@ class Tables(unittest.TestCase):
 
     def test_closing(self):
         text = self.show("closing")
-        self.assertIn("| the case | 5 % | phi_lin | 2 | 32.0 ± 2.0 | -12.6 | -15.3 | no | below 0.001 |", text)
+        self.assertIn("| the case | 5 % | phi_lin | 2 | 32.0 ± 2.0 | -12.6 | -15.3 | no | 0.016 |", text)  # (atan 7.3 - atan 5.3)/pi
         self.assertIn("| the case | 5 % | highest points | 2 | 32.0 ± 2.0 |", text)
         self.assertIn("| coulomb: force | 8 % | phi_lin | 1 | 44.0 | -0.8 | -2.7 | yes | - |", text)
         self.assertIn("with the same reading of the same setting: none of 0;", text)
