@@ -126,12 +126,19 @@ static void put_margin(FILE *out, const clod_hopper_found *found)
 static void put_shape(FILE *out, const clod_hopper *design, int shape)
 {
     const clod_hopper_found *found = &design->shape[shape];
+    const bool funnel = found->design.outcome == CLOD_HOPPER_FUNNEL;
     char text[CLOD_WORDS_MOST];
     clod_words_verdict(found, text);
     fprintf(out, "<h3>%s</h3>\n<p class=\"verdict\">", clod_hopper_cells_shape(shape));
     clod_html_text(out, text);
-    fputs("</p>\n<div class=\"cards\">\n", out);
-    if (found->design.outcome != CLOD_HOPPER_FUNNEL) {
+    fputs("</p>\n", out);
+    if (clod_words_judged(found, text)) {
+        fprintf(out, "<p class=\"note\">%s: ", funnel ? "Why" : "Limit and half angle");
+        clod_html_text(out, text);
+        fputs(".</p>\n", out);
+    }
+    fputs("<div class=\"cards\">\n", out);
+    if (!funnel) {
         put_angle(out, design, found);
         put_outlet(out, design, found);
     }

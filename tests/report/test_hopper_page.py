@@ -77,6 +77,14 @@ class HopperPage(clod.Case):
                                           (row[4], "y_error", scale, digits)):
                 self.cell(told, point[key], by, places)
 
+    def test_where_the_half_angle_is_judged(self):
+        """The template's cone is for the outlet of 500 mm that it has, not for its critical one."""
+        page, found = self.design()
+        at = found["cone"]["judged_at"]
+        self.assertEqual(at["outlet_m"], 0.5)
+        self.assertIn(f"Limit and half angle: at the outlet of 500.0 mm, where sigma_1 is {1e-3 * at['sigma_1_Pa']:.3f} kPa, phi_e "
+                      f"{at['phi_e_deg']:.1f} and the wall friction angle {at['phi_w_deg']:.1f} deg.", page.text)
+
     def test_what_to_build_comes_first(self):
         page, found = self.design()
         places = [page.text.index(f'id="{name}"') for name in ("decision", "warnings", "figures", "results", "interval",
@@ -166,6 +174,7 @@ class HopperPage(clod.Case):
         self.assertEqual(found["cone"]["outcome"], "funnel_flow")
         self.assertEqual([caption for *_, caption in pages.cards(page.text) if "to build" in caption], [])
         self.assertIn("Funnel flow: the solid does not slide along this wall.", page.text)
+        self.assertIn("Why: where sigma_1 is 8.000 kPa, phi_e 46.0 deg, and the solid slides at no half angle.", page.text)
         said = [row[1] for row in page.tables[-1] if row[0] == "said in place of the case's value"]
         self.assertEqual(said, ["wall_friction.angle=60 deg", "wedge.half_angle=auto", "interval.samples=100"])
 
