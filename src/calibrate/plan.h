@@ -77,7 +77,7 @@ typedef struct clod_plan_target {
     char number[CLOD_PLAN_NAME]; ///< of the test
     size_t test;                 ///< index
     size_t entry;                ///< of the plan's `targets`, that it comes from
-    size_t table;                ///< that it comes from, with others of its number; 0: none
+    size_t table;                ///< that it comes from, with others of its columns; 0: none
     double normal_stress;
     double value, error, discrepancy; ///< standard deviations
     clod_plan_repeats repeats;

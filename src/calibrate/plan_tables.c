@@ -64,6 +64,38 @@ static double density_error(const clod_locus *locus, const clod_locus_point *poi
     return stated ? told : fmax(told, given / sqrt((double)locus->preshear_count));
 }
 
+/** Mean density of a specimen over the points that tell it, one at least. */
+static double density_of(const clod_locus *locus, const clod_locus_point *points, int64_t seed)
+{
+    double sum = 0.0, count = 0.0;
+    for (size_t k = 0; k < locus->point_count; k++) {
+        const double density = points[locus->marks[k].index].rho_b;
+        const bool counts = locus->marks[k].seed == seed && density > 0.0;
+        sum += counts ? density : 0.0;
+        count += counts ? 1.0 : 0.0;
+    }
+    return sum / count;
+}
+
+/** By how much specimens are denser than their mean: so a dense one can be seen to be a strong one. */
+static void take_densities(const clod_locus *locus, const clod_locus_point *points,
+                           clod_plan_repeats *to)
+{
+    to->count = 0;
+    for (size_t k = 0; k < locus->point_count; k++) {
+        const int64_t seed = locus->marks[k].seed;
+        bool first = true;
+        for (size_t m = 0; m < k; m++) {
+            first = first && locus->marks[m].seed != seed;
+        }
+        if (first && to->count < CLOD_PLAN_SPECIMENS) {
+            to->differences[to->count] = (clod_plan_difference){
+                seed, density_of(locus, points, seed) - locus->rho_b.value};
+        }
+        to->count += first ? 1 : 0;
+    }
+}
+
 /** The bulk density of a yield locus: the mean of its specimens. */
 static void make_density(maker *self, const clod_number *kind, const clod_plan_target *common,
                          const clod_locus *locus, const clod_locus_point *points)
@@ -78,7 +110,7 @@ static void make_density(maker *self, const clod_number *kind, const clod_plan_t
     sample one = {.value = locus->rho_b.value,
                   .error = density_error(locus, points, common->error)};
     const double scatter = locus->rho_b.scatter / sqrt((double)locus->seed_count);
-    one.repeats.count = locus->seed_count;
+    take_densities(locus, points, &one.repeats);
     one.repeats.estimate = isfinite(scatter) && one.error <= SAME * scatter;
     const clod_plan_samples list = {.items = &one, .count = 1, .error_column = "rho_b_error"};
     clod_plan_samples_make(self, kind, common, &list, 0.0);

@@ -170,14 +170,14 @@ static void name_apart(clod_plan *self)
     }
 }
 
-/** Whether two targets are points of one table, both used or both held back. */
+/** Whether two targets are of one table, of one column of it or of two, both used or both held back. */
 static bool one_table(const clod_plan *self, const clod_plan_target *a,
                       const clod_plan_target *b)
 {
     const char *of = self->wishes[a->entry].locus;
     const char *other = self->wishes[b->entry].locus;
     return of != NULL && other != NULL && a->test == b->test && a->held_back == b->held_back &&
-           strcmp(of, other) == 0 && strcmp(a->number, b->number) == 0;
+           strcmp(of, other) == 0;
 }
 
 /** Number the tables that targets come from. */

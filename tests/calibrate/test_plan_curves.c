@@ -115,6 +115,39 @@ static void density_of_shear_points_is_a_target(void **state)
     clod_plan_fini(&plan);
 }
 
+// A dense specimen may be a strong one: points and density of one table are specimens of one another, and of another
+// file, or held back, they are not. Densities 1300, 1310, 1350 about 1320.
+static void density_and_points_of_one_table_are_of_the_same_specimens(void **state)
+{
+    static const char ROWS[] = SHEAR_HEAD "1,54.8,40,12,20,1300\n1,54.8,40,30,30,1300\n"
+                                          "2,54.8,40,12,21,1310\n2,54.8,40,30,31,1310\n"
+                                          "3,54.8,40,12,22,1350\n3,54.8,40,30,33,\n";
+    lab_write_file(state, "lab.csv", ROWS);
+    lab_write_file(state, "other.csv", ROWS);
+    clod_plan plan;
+    lab_load_good(
+        state, RING,
+        "locus: lab.csv, error: 1 kPa}, {test: lab, locus: lab.csv, number: rho_b, error: 9 "
+        "kg/m3}, {test: lab, locus: other.csv, number: rho_b, error: 9 kg/m3}, {test: lab, "
+        "locus: lab.csv, number: rho_b, error: 9 kg/m3, held_back: true",
+        &plan);
+    assert_int_equal(plan.target_count, 5);
+    const clod_plan_target *density = &plan.targets[2];
+    assert_string_equal(density->number, "rho_b");
+    assert_true(plan.targets[0].table > 0 && plan.targets[1].table == plan.targets[0].table);
+    assert_int_equal(density->table, plan.targets[0].table);
+    assert_int_not_equal(plan.targets[3].table, plan.targets[0].table);
+    assert_int_not_equal(plan.targets[4].table, plan.targets[0].table);
+    assert_int_equal(density->repeats.count, 3);
+    for (size_t k = 0; k < 3; k++) {
+        static const double DIFFERENCES[] = {-20.0, -10.0, 30.0};
+        assert_int_equal(density->repeats.differences[k].specimen, k + 1);
+        assert_int_equal(plan.targets[0].repeats.differences[k].specimen, k + 1);
+        assert_true(fabs(density->repeats.differences[k].value - DIFFERENCES[k]) < 1e-9);
+    }
+    clod_plan_fini(&plan);
+}
+
 // Without rho_b_error each specimen has the plan's error e: of the mean of two e/sqrt(2), or what they scatter by,
 // 1/2 of their difference, whichever is larger.
 static void density_has_the_error_of_the_plan(void **state)
@@ -312,6 +345,7 @@ int main(void)
         TEST(scatter_of_specimens_is_no_slope),
         TEST(repeats_of_a_row_are_one_target),
         TEST(density_of_shear_points_is_a_target),
+        TEST(density_and_points_of_one_table_are_of_the_same_specimens),
         TEST(density_has_the_error_of_the_plan),
         TEST(a_long_table_is_listed_in_part),
         TEST(shear_test_is_read_at_the_stress_of_the_table),
