@@ -126,8 +126,8 @@ int clod_app_locus(int argc, char **argv)
             "Shear points: sigma_pre [kPa], tau_pre "
             "[kPa], sigma_sh [kPa], tau_sh [kPa]; optional seed, rho_b [kg/m3], "
             "tau_pre_error [kPa], tau_sh_error [kPa], rho_b_error [kg/m3].\n"
-            "Wall friction: sigma_w [kPa], tau_w [kPa]; optional seed, sigma_w_error [kPa], "
-            "tau_w_error [kPa].\n"
+            "Wall friction: sigma_w [kPa], tau_w [kPa] or phi_x [deg]; optional seed, "
+            "sigma_w_error [kPa], tau_w_error [kPa] or phi_x_error [deg].\n"
             "Bulk densities: sigma_1 [kPa], rho_b [kg/m3]; optional sigma_1_error [kPa], "
             "rho_b_error [kg/m3].",
     };

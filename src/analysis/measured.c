@@ -56,6 +56,13 @@ static void header_of(const char *text, size_t length, char header[HEADER])
     find_header(text + mark, length - mark, header);
 }
 
+bool clod_measured_has(const char *text, size_t length, const char *name)
+{
+    char header[HEADER];
+    header_of(text, length, header);
+    return has(header, name);
+}
+
 static bool is_wall(const char *header)
 {
     return has(header, "sigma_w") || has(header, "tau_w");

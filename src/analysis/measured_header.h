@@ -4,6 +4,7 @@
  * What the header of a measured table says beyond the kinds that `clod locus` evaluates.
  */
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /** Which stresses a table has. */
@@ -16,3 +17,6 @@ typedef enum clod_measured_stress {
 
 /** Of the first line that is no comment. Threads  pure.   Test  tests/calibrate/test_plan_curves.c */
 clod_measured_stress clod_measured_stress_of(const char *text, size_t length);
+
+/** Whether that line has a column of this name, in small letters. Threads  pure.   Test  tests/analysis/test_wall_points.c */
+bool clod_measured_has(const char *text, size_t length, const char *name);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "analysis/csv.h"
+#include "analysis/measured_header.h"
 #include "base/given.h"
 #include "base/input.h"
 #include "base/memory.h"
@@ -16,10 +17,11 @@
 #define ANGLE_MOST 80.0 ///< deg, of phi_x: beyond it columns or units are wrong
 #define DEGREES (180.0 / M_PI)
 
-/** A row: a table says what is steady, a point what is not. */
+/** A row: a table says what is steady, a point what is not; and it may have angles in place of shear stresses. */
 typedef struct row {
     clod_wall_locus_point point;
     int64_t steady;
+    double phi_x, phi_x_error; ///< rad; 0: it has shear stresses
 } row;
 
 static const row FIRST = {.steady = 1};
@@ -35,6 +37,23 @@ static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
     [TAU] = {.names = {"tau_w"}, .unit = "Pa", .required = true, POINT(tau)},
     {.names = {"sigma_w_error"}, .unit = "Pa", POINT(sigma_error)},
     {.names = {"tau_w_error"}, .unit = "Pa", POINT(tau_error)},
+    {.names = {"wall_stress"}, .unit = "Pa", POINT(wall_stress)},
+    {.names = {"steady"}, .unit = "", .offset = offsetof(row, steady)},
+};
+
+/** The same with the angle of each point, as many laboratories print it. */
+static const clod_csv_column ANGLES[COLUMN_COUNT] = {
+    {.names = {"seed"}, .unit = "", POINT(seed)},
+    [SIGMA] =
+        {.names = {"sigma_w"}, .unit = "Pa", .positive = true, .required = true, POINT(sigma)},
+    {.names = {"phi_x"},
+     .unit = "rad",
+     .positive = true,
+     .required = true,
+     .below = ANGLE_MOST / DEGREES,
+     .offset = offsetof(row, phi_x)},
+    {.names = {"sigma_w_error"}, .unit = "Pa", POINT(sigma_error)},
+    {.names = {"phi_x_error"}, .unit = "rad", .offset = offsetof(row, phi_x_error)},
     {.names = {"wall_stress"}, .unit = "Pa", POINT(wall_stress)},
     {.names = {"steady"}, .unit = "", .offset = offsetof(row, steady)},
 };
@@ -74,6 +93,25 @@ static const clod_csv_kind POINTS = {
     .check_row = check_row,
 };
 
+static const clod_csv_kind POINTS_OF_ANGLES = {
+    .columns = ANGLES,
+    .count = COLUMN_COUNT,
+    .row = sizeof(row),
+    .known = "sigma_w, phi_x, seed, sigma_w_error, phi_x_error, wall_stress, steady",
+    .example = "sigma_w [kPa],phi_x [deg]",
+    .item = "wall yield locus point",
+    .skipped = SKIPPED + 2, // all but the angles
+    .check_row = check_row,
+};
+
+/** The shear stress of an angle, sigma tan(phi_x). */
+static void take_angle(const row *from, clod_wall_locus_point *to)
+{
+    const double tangent = tan(from->phi_x);
+    to->tau = to->sigma * tangent;
+    to->tau_error = to->sigma * (1.0 + tangent * tangent) * from->phi_x_error;
+}
+
 /** Points of rows; owned, NULL without memory. */
 static clod_wall_locus_point *points_of(const row *rows, size_t count)
 {
@@ -81,6 +119,9 @@ static clod_wall_locus_point *points_of(const row *rows, size_t count)
     for (size_t i = 0; points != NULL && i < count; i++) {
         points[i] = rows[i].point;
         points[i].unsteady = rows[i].steady == 0;
+        if (rows[i].phi_x > 0.0) {
+            take_angle(&rows[i], &points[i]);
+        }
     }
     return points;
 }
@@ -94,7 +135,12 @@ bool clod_wall_locus_parse(const char *path, const char *text, size_t length,
     }
     *points = NULL;
     *count = 0;
-    clod_csv self = {.kind = &POINTS, .path = path, .status = status, .first = &FIRST};
+    const bool angles =
+        clod_measured_has(text, length, "phi_x") && !clod_measured_has(text, length, "tau_w");
+    clod_csv self = {.kind = angles ? &POINTS_OF_ANGLES : &POINTS,
+                     .path = path,
+                     .status = status,
+                     .first = &FIRST};
     if (!clod_csv_parse(&self, text, length)) {
         return false;
     }

@@ -16,6 +16,7 @@
 #define RANGE_SLACK CLOD_WARNINGS_SAME_STRESS
 #define TOUCH_SLACK 0.1     // of sigma_p: 80 % often lies a little beyond, and does no harm
 #define PRESHEAR_SLACK 0.02 // relative: more than this is another consolidation
+#define STORED 0.1          // of tau_p: peaks that are so much higher are no scatter
 #define MORE " ..."
 #define SAG_SLACK 0.02  // of the mean shear stress: less does not matter
 #define FALL_SLACK 0.02 // the same for a fall, where points state no errors
@@ -241,6 +242,27 @@ static void check_circles(clod_locus *locus)
     }
 }
 
+/** A specimen bears no more below the preshear stress than preshear did, unless it gained strength in between. */
+static void check_stored(clod_locus *locus, const clod_locus_point *points, size_t count)
+{
+    stress_list beyond = {0};
+    for (size_t i = 0; i < count; i++) {
+        const clod_locus_point *p = &points[i];
+        const double errors = FALL_ERRORS * hypot(p->tau_s_error, p->tau_p_error);
+        if (p->sigma_s < p->sigma_p && p->tau_s - p->tau_p > fmax(errors, STORED * p->tau_p)) {
+            list_add(&beyond, p->sigma_s);
+        }
+    }
+    if (beyond.count > 0) {
+        clod_warnings_add(
+            locus,
+            "Shear at %s kPa has a higher peak than preshear. After storage? Then sigma_c and "
+            "phi_lin hold, but sigma_1 and phi_e are those of the locus without it "
+            "(docs/howto/hopper.md).",
+            beyond.text);
+    }
+}
+
 static void check_preshear(clod_locus *locus, const clod_locus_point *points, size_t count)
 {
     double low = INFINITY;
@@ -365,6 +387,7 @@ void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size
     check_stated(locus, points, count);
     check_fall(locus, points, line);
     check_preshear(locus, points, count);
+    check_stored(locus, points, count);
     check_range(locus, points, count);
     check_cohesion(locus);
     check_circles(locus);

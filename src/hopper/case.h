@@ -26,7 +26,8 @@ typedef struct clod_hopper_strength {
     char *file;              ///< path, resolved against the case; NULL: from tests
     clod_hopper_test *tests; ///< [test_count] owned
     size_t test_count;
-    int curve; ///< clod_hopper_strength_curve
+    int curve;           ///< clod_hopper_strength_curve
+    char *after_storage; ///< path, owned; NULL: in continuous flow
 } clod_hopper_strength;
 
 /** A property: a table over stress, or one value with its standard error. */

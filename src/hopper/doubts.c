@@ -76,6 +76,34 @@ static void warn_strength(clod_hopper *self)
     }
 }
 
+/** An error as large as its value: another unit or column, as a rule. */
+static void warn_large_errors(clod_hopper *self)
+{
+    static const struct {
+        const char *what, *name, *unit;
+        double scale;
+    } OF[CLOD_SOLID_CURVES] = {{"Flow function", "f_c", "kPa", 1e-3},
+                               {"Effective friction", "phi_e", "deg", 1.0 / DEGREE},
+                               {"Static friction", "phi_t", "deg", 1.0 / DEGREE},
+                               {"Bulk density", "rho_b", "kg/m3", 1.0},
+                               {"Wall friction", "tau_w", "kPa", 1e-3}};
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        const clod_curve *curve = &self->solid.curves[k];
+        for (size_t i = 0; i < curve->count && curve->count > 1; i++) {
+            const clod_curve_point *p = &curve->points[i];
+            if (p->y > 0.0 && p->y_error >= p->y) {
+                clod_warning_list_add(
+                    &self->warnings,
+                    "%s: %s is %.6g %s with a standard error of %.6g %s at %.6g kPa: nothing was "
+                    "measured then. Is the unit of one of them another one?",
+                    OF[k].what, OF[k].name, OF[k].scale * p->y, OF[k].unit,
+                    OF[k].scale * p->y_error, OF[k].unit, 1e-3 * p->x);
+                break;
+            }
+        }
+    }
+}
+
 /** A half angle that was given, close to the limit of mass flow or beyond it. */
 static void warn_angle(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
@@ -326,6 +354,7 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
 void clod_doubts_warn(clod_hopper *self, bool one_specimen)
 {
     warn_strength(self);
+    warn_large_errors(self);
     warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
     warn_rathole(self);

@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "hopper/design.h"
 #include "hopper/doubts.h"
 #include "hopper/fields.h"
 #include "hopper/radial.h"
@@ -7,7 +8,9 @@
 #define DEGREE (M_PI / 180.0)
 #define STEEPER (1.0 * DEGREE) // of phi_w: by so much an extrapolation decides
 #define LOWER (0.1 * DEGREE)   // of a limit of mass flow
-#define ROUNDS 20              // until sigma_1 and phi_e fit
+#define FLATTER (0.5 * DEGREE) // of a limit, of a margin of some 3 deg
+#define MOST_PHI_E (80.0 * DEGREE)
+#define ROUNDS 20 // until sigma_1 and phi_e fit
 
 /**
  * Whether the wall friction angle of a state lies above that of the smallest measured stress since the
@@ -94,6 +97,40 @@ static void warn_upwards(clod_hopper *self, const char *name, const clod_hopper_
     }
 }
 
+/** phi_e below the smallest measured stress, if it goes on as between the two smallest. */
+static double going_on(const clod_curve *phi_e, double sigma_1)
+{
+    const clod_curve_point *first = &phi_e->points[0], *next = &phi_e->points[1];
+    const double slope = (next->y - first->y) / (next->x - first->x);
+    return fmin(first->y + slope * (sigma_1 - first->x), MOST_PHI_E);
+}
+
+/** Below the smallest measured stress phi_e is held. It may go on rising there, and then the hopper is too flat. */
+static void warn_friction(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const clod_hopper_design *at = &found->design;
+    const clod_curve *phi_e = &self->solid.phi_e;
+    const double sigma_1 = at->judged.sigma_1;
+    if (phi_e->count < 2 || sigma_1 >= phi_e->points[0].x) {
+        return;
+    }
+    clod_curve_point there = {.x = sigma_1, .y = going_on(phi_e, sigma_1)};
+    clod_solid other = self->solid;
+    other.phi_e = (clod_curve){.way = CLOD_CURVE_HELD, .points = &there, .count = 1};
+    const double limit = clod_hopper_limit_at(&other, sigma_1, CLOD_RADIAL_TOLERANCE);
+    if (limit < fmin(at->limit, at->half_angle + found->wish.margin) - FLATTER) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: phi_e rises towards small stresses, to %.1f deg at the smallest measured sigma_1, "
+            "%.3f kPa, and is held there below it. If it goes on as between the two smallest, it is "
+            "%.1f deg at %.3f kPa, where the half angle is judged, and the limit of mass flow in a "
+            "cone %.1f deg in place of %.1f deg. Measure at smaller stresses, or stay below %.1f deg.",
+            name, phi_e->points[0].y / DEGREE, 1e-3 * phi_e->points[0].x, there.y / DEGREE,
+            1e-3 * sigma_1, limit / DEGREE, at->limit / DEGREE,
+            fmax(0.0, limit - found->wish.margin) / DEGREE);
+    }
+}
+
 /** Nothing but the range of the tests chose the stress of the half angle. */
 static void warn_measured(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
@@ -126,5 +163,6 @@ void clod_doubts_wall(clod_hopper *self, const char *name, const clod_hopper_fou
     }
     if (mass_flow && at->limit > 0.0) {
         warn_upwards(self, name, found);
+        warn_friction(self, name, found);
     }
 }

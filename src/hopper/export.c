@@ -148,9 +148,10 @@ char *clod_hopper_json(const clod_hopper *self)
     const clod_hopper_interval *interval_of = &self->from.interval;
     const clod_joint_rows loci = clod_joint_count(&self->solid);
     json_t *all = json_pack(
-        "{s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I, s:I, s:I}, s:o, s:o}",
-        "title", self->from.title, "version", clod_version_text(), "case", self->path,
-        "overrides", overrides, "cone", shape_of(&self->shape[CLOD_RADIAL_CONE]), "wedge",
+        "{s:s?, s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I, s:I, s:I}, s:o, s:o}",
+        "title", self->from.title, "after_storage", self->from.strength.after_storage,
+        "version", clod_version_text(), "case", self->path, "overrides", overrides, "cone",
+        shape_of(&self->shape[CLOD_RADIAL_CONE]), "wedge",
         shape_of(&self->shape[CLOD_RADIAL_WEDGE]), "rathole", rathole_of(self), "measured",
         measured(self), "arch_thickness", CLOD_HOPPER_ARCH_NAMES[self->from.arch], "interval",
         "level", interval_of->level, "samples", (json_int_t)interval_of->samples, "seed",

@@ -28,11 +28,12 @@ static double scaled(double error, double value)
     return fabs(error) / (1.0 + fabs(value));
 }
 
-clod_ode_pair clod_ode_try(const clod_ode *self, double size, double *error)
+/** Where a step ends, which is where the rates of the last stage are. @param rate [STAGES] [out] */
+static clod_ode_pair take(const clod_ode *self, double size, clod_ode_pair *rate)
 {
-    clod_ode_pair rate[STAGES];
     clod_ode_pair y = self->y;
-    for (int s = 0; s < STAGES; s++) {
+    rate[0] = self->begun ? self->rate : self->rates(self->context, self->x, y);
+    for (int s = 1; s < STAGES; s++) {
         y = self->y;
         for (int k = 0; k < s; k++) {
             y.a += size * WEIGHT[s][k] * rate[k].a;
@@ -40,16 +41,30 @@ clod_ode_pair clod_ode_try(const clod_ode *self, double size, double *error)
         }
         rate[s] = self->rates(self->context, self->x + NODE[s] * size, y);
     }
-    if (error != NULL) {
-        clod_ode_pair sum = {0.0, 0.0};
-        for (int s = 0; s < STAGES; s++) {
-            sum.a += size * DIFFERENCE[s] * rate[s].a;
-            sum.b += size * DIFFERENCE[s] * rate[s].b;
-        }
-        *error = fmax(scaled(sum.a, self->y.a), scaled(sum.b, self->y.b));
-        *error = isfinite(sum.a) && isfinite(sum.b) ? *error : (double)INFINITY;
+    return y;
+}
+
+/** Difference of the two orders. */
+static double error_of(const clod_ode *self, double size, const clod_ode_pair *rate)
+{
+    clod_ode_pair sum = {0.0, 0.0};
+    for (int s = 0; s < STAGES; s++) {
+        sum.a += size * DIFFERENCE[s] * rate[s].a;
+        sum.b += size * DIFFERENCE[s] * rate[s].b;
     }
-    return y; // the last stage stands at the end of the step
+    return isfinite(sum.a) && isfinite(sum.b)
+               ? fmax(scaled(sum.a, self->y.a), scaled(sum.b, self->y.b))
+               : (double)INFINITY;
+}
+
+clod_ode_pair clod_ode_try(const clod_ode *self, double size, double *error)
+{
+    clod_ode_pair rate[STAGES];
+    const clod_ode_pair y = take(self, size, rate);
+    if (error != NULL) {
+        *error = error_of(self, size, rate);
+    }
+    return y;
 }
 
 bool clod_ode_advance(clod_ode *self, double end)
@@ -57,14 +72,17 @@ bool clod_ode_advance(clod_ode *self, double end)
     for (;;) {
         const bool last = self->x + self->step >= end;
         const double size = last ? end - self->x : self->step;
-        double error;
-        const clod_ode_pair y = clod_ode_try(self, size, &error);
+        clod_ode_pair rate[STAGES];
+        const clod_ode_pair y = take(self, size, rate);
+        const double error = error_of(self, size, rate);
         const bool good = error <= self->tolerance;
         const double grow = 0.9 * pow(self->tolerance / fmax(error, 1e-30), 0.2);
         const double next = size * fmin(4.0, fmax(0.2, grow));
         if (good) {
             self->x = last ? end : self->x + size;
             self->y = y;
+            self->rate = rate[STAGES - 1];
+            self->begun = true;
             self->step = last ? fmax(self->step, next) : next;
             return true;
         }

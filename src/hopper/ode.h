@@ -21,6 +21,9 @@ typedef struct clod_ode {
     double x;
     clod_ode_pair y;
     double step; ///< that the next call tries first
+    bool
+        begun; ///< clod_ode_advance has made a step, which ended with the rates that the next begins with
+    clod_ode_pair rate; ///< these
 } clod_ode;
 
 /**

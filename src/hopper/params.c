@@ -63,6 +63,15 @@ static const clod_param STRENGTH[] = {
      .help = "line: least squares through the points; points: straight from point to point. "
              "Both go on beyond them.",
      .source = THEORY},
+    {.key = "after_storage",
+     .kind = CLOD_PARAM_FILE,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "after-24-h.csv",
+     CLOD_AT(clod_hopper_strength, after_storage),
+     .help =
+         "Table with sigma_1, f_c and optionally phi_t of time yield loci, after storage at rest: the outlets "
+         "and ratholes from which the stored solid flows. sigma_1 is that of the locus without storage.",
+     .source = HOWTO},
 };
 static const clod_table STRENGTH_TABLE = {.title = "Flow function.", CLOD_ROWS(STRENGTH)};
 

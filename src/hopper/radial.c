@@ -10,6 +10,8 @@
 #define LEAST_Q 1e-5           // range of q on the axis that is searched
 #define LEAST_WIDEST_Q 1e-4    // the same for the widest hopper
 #define MOST_Q 1e3             // where nothing else bounds it
+#define CLOSE 1e-3             // psi at the wall, in tolerances of a step
+#define FEW 12                 // shots that find it where psi is continuous
 
 /** What the equations know. */
 typedef struct equations {
@@ -60,23 +62,31 @@ typedef struct path {
     bool stands;    ///< psi reached 135 degrees: the solid stands still beyond
 } path;
 
-/** Where in its next step, which ends at `after`, psi falls through `value`: false position. */
+/** Where in its next step, which ends at `after`, psi falls through `value`: false position, where an end that stays
+ *  twice counts half (Illinois). */
 static double pass(const clod_ode *from, const clod_ode *after, double value)
 {
     double low = 0.0;
     double high = after->x - from->x;
     double above = from->y.b - value;
     double below = after->y.b - value;
+    int side = 0; // that the last try fell on
     for (int i = 0; i < 60 && high - low > 1e-12 && below < 0.0; i++) {
         const double middle = (above * high - below * low) / (above - below);
         const double miss = clod_ode_try(from, middle, NULL).b - value;
-        low = miss > 0.0 ? middle : low;
-        high = miss > 0.0 ? high : middle;
-        below = miss > 0.0 ? 0.5 * below : miss; // the end that stays is halved (Illinois)
-        above = miss > 0.0 ? miss : 0.5 * above;
         if (fabs(miss) < 1e-13) {
             return from->x + middle;
         }
+        if (miss > 0.0) {
+            below *= side > 0 ? 0.5 : 1.0;
+            low = middle;
+            above = miss;
+        } else {
+            above *= side < 0 ? 0.5 : 1.0;
+            high = middle;
+            below = miss;
+        }
+        side = miss > 0.0 ? 1 : -1;
     }
     return from->x + high;
 }
@@ -215,22 +225,28 @@ static bool bracket(shot *self, try *low, try *high)
     return low->miss >= 0.0;
 }
 
-/** Close in on the q between two others: false position, the end that stays halved (Illinois). */
+/** Close in on the q between two others: false position, where an end that stays twice counts half (Illinois). Steps
+ *  of other sizes make psi jump by about the tolerance as q changes, so what is far below that is noise. */
 static void close_in(shot *self, try low, try high)
 {
-    for (int i = 0; i < 100 && high.q - low.q > 1e-13 * high.q; i++) {
-        const double q = (low.miss * high.q - high.miss * low.q) / (low.miss - high.miss);
+    const double close = CLOSE * self->field->tolerance;
+    int side = 0; // that the last shot fell on
+    for (int i = 0; i < 100 && high.q - low.q > close * high.q; i++) {
+        const double q = i < FEW
+                             ? (low.miss * high.q - high.miss * low.q) / (low.miss - high.miss)
+                             : 0.5 * (low.q + high.q); // psi jumps: there is none
         const try next = shoot(self, q);
-        if (next.miss >= 0.0) {
-            high.miss *= 0.5;
-            low = next;
-        } else {
-            low.miss *= 0.5;
-            high = next;
-        }
-        if (fabs(next.miss) < 1e-13) {
+        if (fabs(next.miss) < close) {
             break;
         }
+        if (next.miss > 0.0) {
+            high.miss *= side > 0 ? 0.5 : 1.0;
+            low = next;
+        } else {
+            low.miss *= side < 0 ? 0.5 : 1.0;
+            high = next;
+        }
+        side = next.miss > 0.0 ? 1 : -1;
     }
 }
 

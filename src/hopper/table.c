@@ -149,6 +149,9 @@ char *clod_hopper_table(const clod_hopper *self)
     const double tail = 50.0 * (1.0 - self->from.interval.level);
     fprintf(out, "Hopper%s%s\n\n", self->from.title != NULL ? ": " : "",
             self->from.title != NULL ? self->from.title : "");
+    if (self->from.strength.after_storage != NULL) {
+        fprintf(out, "  After storage: f_c of %s\n\n", self->from.strength.after_storage);
+    }
     fprintf(out, "  %-32s%10s%10.3g %%%10.3g %%\n", "", "value", tail, 100.0 - tail);
     put_shape(out, self, CLOD_RADIAL_CONE);
     put_shape(out, self, CLOD_RADIAL_WEDGE);

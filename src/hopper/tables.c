@@ -11,6 +11,7 @@
 #include "clod/bulk_density.h"
 #include "clod/locus.h"
 #include "hopper/loci.h"
+#include "hopper/storage.h"
 #include "hopper/wall.h"
 
 typedef clod_loci_row row;
@@ -344,7 +345,9 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_sort(&solid->curves[k]);
     }
-    return true;
+    const char *stored = from->strength.after_storage;
+    return stored == NULL ||
+           clod_storage_read(stored, !from->phi_t.present, solid, notes->warnings, status);
 }
 
 void clod_tables_fini(clod_solid *solid)

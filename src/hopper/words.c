@@ -127,6 +127,16 @@ bool clod_words_drawn(const clod_hopper *self, char text[CLOD_WORDS_MOST])
 const char *const CLOD_WORDS_HOLES[CLOD_HOPPER_HOLES] = {
     [CLOD_HOPPER_EMPTYING] = "emptying", [CLOD_HOPPER_FILLING] = "after filling"};
 
+/** The diameter with the smallest angle for which G is known: G, and the diameter, grow with it. */
+static double bound_of(const clod_hopper *self, int hole)
+{
+    clod_curve_point least = {.x = 1.0, .y = CLOD_RATHOLE_LEAST};
+    clod_solid other = self->solid;
+    other.phi_t = (clod_curve){.way = CLOD_CURVE_HELD, .points = &least, .count = 1};
+    const clod_rathole at = clod_rathole_of(&other, &self->silo);
+    return hole == CLOD_HOPPER_EMPTYING ? at.emptying : at.filling;
+}
+
 bool clod_words_no_rathole(const clod_hopper *self, int hole, char text[CLOD_WORDS_MOST])
 {
     const double phi_t = hole == CLOD_HOPPER_EMPTYING
@@ -145,6 +155,13 @@ bool clod_words_no_rathole(const clod_hopper *self, int hole, char text[CLOD_WOR
                  "No rathole diameter, %s: Jenike's function G is known from 30 to 70 deg, and "
                  "the static angle of internal friction is %.1f deg.",
                  CLOD_WORDS_HOLES[hole], DEGREES * phi_t);
+        const double bound = phi_t < CLOD_RATHOLE_LEAST ? bound_of(self, hole) : (double)NAN;
+        if (isfinite(bound)) {
+            const size_t used = strlen(text);
+            snprintf(text + used, CLOD_WORDS_MOST - used,
+                     " G grows with it, so the diameter is at most that of 30 deg, %.1f mm.",
+                     1e3 * bound);
+        }
     }
     return true;
 }

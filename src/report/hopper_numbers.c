@@ -197,6 +197,7 @@ static void put_files(FILE *out, const clod_hopper *design, bool folded)
     for (size_t k = 0; k < from->strength.test_count; k++) {
         put_file(out, "shear test", from->strength.tests[k].points, folded);
     }
+    put_file(out, "flow function after storage", from->strength.after_storage, folded);
     put_file(out, "wall friction", from->wall.file, folded);
     put_file(out, "effective friction", from->phi_e.file, folded);
     put_file(out, "static friction", from->phi_t.file, folded);

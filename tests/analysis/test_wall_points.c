@@ -37,6 +37,39 @@ static void units_and_order_are_those_of_the_header(void **state)
     clod_locus_free(points);
 }
 
+/** tau_w = sigma_w tan(phi_x), its error sigma_w/cos^2(phi_x) times that of the angle: 4 kPa at 45 deg, 1 deg: 8 kPa pi/180. */
+static void angles_stand_for_shear_stresses(void **state)
+{
+    static const char TEXT[] = "Sigma_w [kPa],phi_x [deg],phi_x_error [deg]\n4,45,1\n2,30,\n";
+    clod_wall_locus_point *points;
+    size_t count;
+    clod_status status = {0};
+    (void)state;
+    assert_false(clod_wall_locus_parse("wall.csv", TEXT, strlen(TEXT), &points, &count,
+                                       &status)); // a capital letter is told
+    assert_true(strstr(status.text, "did you mean sigma_w") != NULL);
+    char text[sizeof TEXT];
+    memcpy(text, TEXT, sizeof TEXT);
+    text[0] = 's';
+    assert_true(
+        clod_wall_locus_parse("wall.csv", text, strlen(text), &points, &count, &status));
+    assert_int_equal(count, 2);
+    check_close(points[0].tau, 4000.0, 1e-9);
+    check_close(points[0].tau_error, 8000.0 * M_PI / 180.0, 1e-9);
+    check_close(points[1].tau, 2000.0 / sqrt(3.0), 1e-9);
+    assert_true(points[1].tau_error == 0.0);
+    clod_locus_free(points);
+    expect_error("sigma_w [kPa],phi_x [deg]\n4,85\n", "wall.csv:2: column phi_x");
+    expect_error("sigma_w [kPa],phi_x\n4,25\n", "phi_x");
+    expect_error("phi_x [deg],tau_x [kPa]\n25,1\n", "sigma_w");
+    // with shear stresses the angle beside them is what a run writes, and is not read
+    static const char BOTH[] = "sigma_w [kPa],tau_w [kPa],phi_x [deg]\n4,1,70\n";
+    assert_true(
+        clod_wall_locus_parse("wall.csv", BOTH, strlen(BOTH), &points, &count, &status));
+    check_close(points[0].tau, 1000.0, 1e-9);
+    clod_locus_free(points);
+}
+
 /** As wall_friction.csv of a run has them; without the columns all is steady. */
 static void rows_say_whether_shear_was_steady(void **state)
 {
@@ -111,6 +144,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(units_and_order_are_those_of_the_header),
+        cmocka_unit_test(angles_stand_for_shear_stresses),
         cmocka_unit_test(rows_say_whether_shear_was_steady),
         cmocka_unit_test(what_is_wrong_is_said_with_its_place),
         cmocka_unit_test(an_impossible_angle_is_an_error),

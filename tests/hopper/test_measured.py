@@ -227,7 +227,17 @@ class Measured(hopper_case.Case):
         words = " ".join(told.split())
         for when in ("emptying", "after filling"):
             self.assertIn(f"No rathole diameter, {when}: Jenike's function G is known from 30 to 70 deg, and the "
-                          "static angle of internal friction is 29.0 deg.", words)
+                          "static angle of internal friction is 29.0 deg. G grows with it, so the diameter is at most that of 30 deg, ", words)
+        bounds = [float(text) for text in re.findall(r"that of 30 deg, ([0-9.]+) mm", words)]
+        self.write("case.yaml", more + "static_friction: {angle: 30 deg}\n")
+        of_30 = self.found()["rathole"]
+        self.assertEqual(bounds, [round(1e3 * of_30[key]["value"], 1) for key in ("emptying_m", "filling_m")])
+        self.write("case.yaml", more + "static_friction: {angle: 72 deg}\n")
+        self.write("flow.csv", head + "2,1.4,0.05,78,72,0,1250\n8,2.9,0.08,78,72,0,1350\n")
+        told = self.hopper("case.yaml").stdout
+        self.assertIn("No rathole diameter, emptying", told)
+        self.assertNotIn("at most that of", told)  # beyond 70 deg nothing bounds it
+        self.write("flow.csv", head + "2,1.4,0.05,48,29,4,1250\n8,2.9,0.08,46,29,4,1350\n")
         self.write("case.yaml", more + "static_friction: {angle: 31 deg, error: 4 deg}\n")
         told = " ".join(self.hopper("case.yaml").stdout.split())
         shares = self.found()["rathole"]["known_shares"]

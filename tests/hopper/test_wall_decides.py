@@ -137,6 +137,9 @@ class WallDecides(hopper_case.Case):
         self.assertIn("f_c is 0.00145 kPa at sigma_1 3.1 kPa, ffc 2138", told)
         self.assertIn("Pa under a header in kPa", told)
         self.assertNotIn("ffc", warned(FREE))  # 28 to 32
+        told = warned("3.1,0.00145,0.08,48,38,1210\n6.2,0.0022,0.001,47,38,1265\n")  # the same, but for the errors
+        self.assertIn("Flow function: f_c is 0.00145 kPa with a standard error of 0.08 kPa at 3.1 kPa: nothing was measured then", told)
+        self.assertNotIn("nothing was measured", warned(FREE))
         told = warned("3,3,0,48,40,1250\n6,2,0,47,40,1300\n12,1,0,46,39,1350\n")
         self.assertIn("f_c falls from 3 kPa at sigma_1 3 kPa to 2 kPa at 6 kPa", told)
         self.assertIn("f_c falls from 2 kPa at sigma_1 6 kPa to 1 kPa at 12 kPa", told)
@@ -146,6 +149,31 @@ class WallDecides(hopper_case.Case):
         self.assertIn("Cone: the outlet that is given, 500 mm, is wider than the silo, 100 mm", told)
         self.assertRegex(warned(usual, (), silo), "Cone: the critical outlet, [0-9.]+ mm, is wider than the silo, 100 mm")
         self.assertNotIn("wider than the silo, ", warned(usual, ("--set", "cone.outlet=500 mm"), silo.replace("0.1", "3")))
+
+    def test_friction_that_may_rise_below_the_measured_stresses_is_told(self):
+        """phi_e falls by 3 deg/kPa from 46 deg at 4 kPa, and is held at 46 deg below: 52 deg at 2 kPa if it goes on. The limit is
+        then that of a solid with that phi_e at all stresses."""
+        rows = "4,1.2,0.05,{},30,1250\n8,2.4,0.05,{},30,1300\n16,4.0,0.08,{},30,1350\n"
+        built = ("--set", "cone={half_angle: auto, outlet: 250 mm}")
+        words = "phi_e rises towards small stresses"
+        self.start(rows.format(46, 34, 33), "angle: 12 deg")
+        found = self.found(*built)
+        sigma_1, held = 1e-3 * found["cone"]["judged_at"]["sigma_1_Pa"], found["cone"]["limit_deg"]["value"]
+        self.assertLess(sigma_1, 2.5)
+        on = 46 + 3 * (4 - sigma_1)
+        self.start(rows.format(on, on, on), "angle: 12 deg")
+        constant = self.found(*built)
+        limit = constant["cone"]["limit_deg"]["value"]
+        self.assertLess(limit, held - 0.5)
+        self.assertEqual(self.told(constant, "Cone", words), [])
+        said, = self.told(found, "Cone", words)
+        self.assertIn("to 46.0 deg at the smallest measured sigma_1, 4.000 kPa, and is held there below it", said)
+        self.assertIn(f"it is {on:.1f} deg at {sigma_1:.3f} kPa", said)
+        self.assertIn(f"{limit:.1f} deg in place of {held:.1f} deg", said)
+        self.assertIn(f"stay below {limit - 3:.1f} deg", said)
+        for steep_or_wide in ("half_angle: 10 deg, outlet: 250 mm", "half_angle: auto, outlet: 1500 mm"):  # of stresses that were measured
+            self.start(rows.format(46, 34, 33), "angle: 12 deg")
+            self.assertEqual(self.told(self.found("--set", f"cone={{{steep_or_wide}}}"), "Cone", words), [])
 
     def test_funnel_flow_says_why(self):
         """A wall whose angle rises with stress, from 9 to 28 deg, and a strong solid: 30 deg slide at an outlet of 30 mm,
