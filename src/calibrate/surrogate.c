@@ -98,9 +98,11 @@ double clod_surrogate_correlation(const clod_surrogate *self, const double *a, c
 static void fill_matrix(clod_surrogate *self)
 {
     const bool gaussian = self->kind == CLOD_SURROGATE_GAUSSIAN;
+    self->mean_growth = 0.0;
     for (size_t i = 0; i < self->count; i++) {
         const double *u = self->inputs + i * self->dimensions;
         const double noise = clod_surrogate_growth(self, u);
+        self->mean_growth += noise / (double)self->count;
         gsl_matrix_set(self->factor, i, i, gaussian ? 1.0 + self->hyper.nugget * noise : noise);
         for (size_t j = 0; j < i; j++) {
             const double r =
@@ -281,7 +283,7 @@ clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double 
     terms_at(self, inputs, h.vector.data);
     double mean;
     gsl_blas_ddot(&h.vector, self->beta, &mean);
-    double left = clod_surrogate_growth(self, inputs); // a polynomial may be off as runs are off it there
+    double left = 1.0;
     if (self->kind == CLOD_SURROGATE_GAUSSIAN) {
         for (size_t i = 0; i < self->count; i++) {
             room[i] =
@@ -294,6 +296,8 @@ clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double 
         mean += part;
         left = fmax(0.0, 1.0 - square);
         gsl_blas_dgemv(CblasTrans, -1.0, self->basis, &w.vector, 1.0, &h.vector);
+    } else { // it may be off as runs are off it on the average, or as they are there if that is more
+        left = fmax(self->mean_growth, clod_surrogate_growth(self, inputs));
     }
     gsl_vector_memcpy(&t.vector, &h.vector);
     gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, self->normal, &t.vector);

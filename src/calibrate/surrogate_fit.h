@@ -19,6 +19,7 @@ struct clod_surrogate {
     clod_surrogate_kind kind;
     double *inputs, *results; ///< [count][dimensions], [count] owned
     clod_surrogate_hyper hyper;
+    double mean_growth;   ///< of the noise's variance since the middle, over the runs
     double variance;      ///< of the process; of the noise in the middle in a polynomial
     double least;         ///< that the variance is kept above
     double likelihood;    ///< restricted, with the prior, logarithm, without constants
