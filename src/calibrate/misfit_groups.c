@@ -95,8 +95,9 @@ static void take_packings(const clod_misfit_runs *runs, const group *self, doubl
                 sum += isfinite(value) ? value : 0.0;
                 count += isfinite(value) ? 1.0 : 0.0;
             }
-            const double noise =
-                surrogate != NULL && count > 0.0 ? clod_surrogate_noise_of(surrogate, taken) : 1.0;
+            const double noise = surrogate != NULL && count > 0.0
+                                     ? clod_surrogate_noise_of(surrogate, taken)
+                                     : 1.0;
             for (size_t s = 0; s < seeds; s++) { // a missing one stays so
                 rows[(point * seeds + s) * self->count + k] =
                     count > 1.0 ? (from[s * runs->plan->target_count] - sum / count) / noise

@@ -87,13 +87,12 @@ static json_t *surrogate(const clod_result *self, size_t t)
                             clod_json_number(clod_surrogate_length(one->surrogate, k)));
     }
     const double noise = clod_posterior_noise(self->study->posterior, t);
-    json_t *made =
-        json_pack("{s:s, s:I, s:o, s:o, s:o, s:o}", "kind",
-                  CLOD_SURROGATE_NAMES[clod_surrogate_kind_of(one->surrogate)], "runs",
-                  (json_int_t)one->runs, "packing_deviation", clod_json_number(factor * noise),
-                  "least_packing_deviation", clod_json_number(factor * least),
-                  "greatest_packing_deviation", clod_json_number(factor * greatest),
-                  "relative_lengths", lengths);
+    json_t *made = json_pack("{s:s, s:I, s:o, s:o, s:o, s:o}", "kind",
+                             CLOD_SURROGATE_NAMES[clod_surrogate_kind_of(one->surrogate)],
+                             "runs", (json_int_t)one->runs, "packing_deviation",
+                             clod_json_number(factor * noise), "least_packing_deviation",
+                             clod_json_number(factor * least), "greatest_packing_deviation",
+                             clod_json_number(factor * greatest), "relative_lengths", lengths);
     if (one->checked) {
         json_object_set_new(made, "left_out_error",
                             clod_json_number(factor * one->check.error));

@@ -242,8 +242,7 @@ clod_surrogate *clod_surrogate_create(const clod_surrogate_runs *runs, clod_surr
 
 clod_surrogate *clod_surrogate_create_at(const clod_surrogate_runs *runs,
                                          clod_surrogate_kind kind,
-                                         const clod_surrogate_hyper *hyper,
-                                         clod_status *status)
+                                         const clod_surrogate_hyper *hyper, clod_status *status)
 {
     clod_surrogate *self = begin(runs, kind, status);
     if (self == NULL) {
@@ -318,7 +317,8 @@ double clod_surrogate_likelihood(const clod_surrogate *self)
 
 double clod_surrogate_length(const clod_surrogate *self, size_t dimension)
 {
-    return self->kind == CLOD_SURROGATE_GAUSSIAN ? self->hyper.lengths[dimension] : (double)INFINITY;
+    return self->kind == CLOD_SURROGATE_GAUSSIAN ? self->hyper.lengths[dimension]
+                                                 : (double)INFINITY;
 }
 
 clod_surrogate_kind clod_surrogate_kind_of(const clod_surrogate *self)

@@ -35,9 +35,11 @@ typedef struct clod_surrogate_runs {
 /** What a likelihood is of: the noise of packings has the variance nugget exp(slopes . (u - 1/2)) over that of
  *  the process, and exp(slopes . (u - 1/2)) over that in the middle in a polynomial. */
 typedef struct clod_surrogate_hyper {
-    double lengths[CLOD_SURROGATE_MOST]; ///< correlation lengths; not used by a polynomial, nor is the next
-    double nugget;                       ///< in the middle of all ranges
-    double slopes[CLOD_SURROGATE_MOST];  ///< of the logarithm of the noise's variance, over a range
+    double lengths
+        [CLOD_SURROGATE_MOST]; ///< correlation lengths; not used by a polynomial, nor is the next
+    double nugget;             ///< in the middle of all ranges
+    double
+        slopes[CLOD_SURROGATE_MOST]; ///< of the logarithm of the noise's variance, over a range
 } clod_surrogate_hyper;
 
 /** A fitted surrogate; opaque. */

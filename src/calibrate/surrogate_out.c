@@ -21,8 +21,7 @@ static clod_surrogate_runs runs_of(const clod_surrogate *self)
 static clod_surrogate *with(const clod_surrogate *self, const clod_surrogate_runs *runs,
                             clod_status *status)
 {
-    clod_surrogate *other =
-        clod_surrogate_create_at(runs, self->kind, &self->hyper, status);
+    clod_surrogate *other = clod_surrogate_create_at(runs, self->kind, &self->hyper, status);
     if (other != NULL) {
         other->variance = self->variance;
     }

@@ -194,9 +194,10 @@ static void put_surrogates(FILE *out, const json_t *result)
     size_t k;
     const json_t *one;
     fputs("<h3>Surrogates, each point predicted by the others</h3>\n", out);
-    put_heads(out,
-              "target|surrogate|runs|between packings, at the means|least in the ranges|greatest|"
-              "error of left-out points|Q2|within two deviations");
+    put_heads(
+        out,
+        "target|surrogate|runs|between packings, at the means|least in the ranges|greatest|"
+        "error of left-out points|Q2|within two deviations");
     json_array_foreach(json_object_get(result, "targets"), k, one)
     {
         const json_t *about = json_object_get(one, "surrogate");
