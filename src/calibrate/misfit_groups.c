@@ -79,11 +79,13 @@ static size_t coefficients(const clod_misfit_runs *runs, const group *self)
     return most;
 }
 
-/** Packings about the mean of their point. */
+/** Packings about the mean of their point, over the noise that the surrogate has there. */
 static void take_packings(const clod_misfit_runs *runs, const group *self, double *rows)
 {
     const size_t seeds = (size_t)runs->plan->seeds;
     for (size_t k = 0; k < self->count; k++) {
+        const clod_surrogate *surrogate = runs->surrogates[self->targets[k]];
+        size_t taken = 0;
         for (size_t point = 0; point < runs->points; point++) {
             const double *from =
                 runs->results + point * seeds * runs->plan->target_count + self->targets[k];
@@ -93,11 +95,15 @@ static void take_packings(const clod_misfit_runs *runs, const group *self, doubl
                 sum += isfinite(value) ? value : 0.0;
                 count += isfinite(value) ? 1.0 : 0.0;
             }
+            const double noise = surrogate != NULL && count > 0.0
+                                     ? clod_surrogate_noise_of(surrogate, taken)
+                                     : 1.0;
             for (size_t s = 0; s < seeds; s++) { // a missing one stays so
                 rows[(point * seeds + s) * self->count + k] =
-                    count > 1.0 ? from[s * runs->plan->target_count] - sum / count
+                    count > 1.0 ? (from[s * runs->plan->target_count] - sum / count) / noise
                                 : (double)NAN;
             }
+            taken += (size_t)count;
         }
     }
 }

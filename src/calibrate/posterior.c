@@ -160,6 +160,16 @@ static void look_at_parameter(const clod_plan *plan, clod_posterior *self, size_
     }
 }
 
+double clod_posterior_noise(const clod_posterior *self, size_t target)
+{
+    const clod_surrogate *of = self->targets[target].surrogate;
+    double means[CLOD_SURROGATE_MOST] = {0.0};
+    for (size_t k = 0; k < self->dimensions; k++) {
+        means[k] = self->parameters[k].mean;
+    }
+    return of != NULL ? clod_surrogate_noise(of, means) : (double)NAN;
+}
+
 const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t of)
 {
     return self->samples + i * self->count / of * self->dimensions;

@@ -69,6 +69,10 @@ clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_stat
 
 void clod_posterior_destroy(clod_posterior **self);
 
+/** Standard deviation between packings of a target's number, where the parameters have their means; NAN without
+ *  a surrogate. */
+double clod_posterior_noise(const clod_posterior *self, size_t target);
+
 /** Sample number i of so many that are spread evenly over all samples of all chains: its place. */
 const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t of);
 

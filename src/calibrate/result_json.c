@@ -74,20 +74,25 @@ static json_t *sections(const clod_result *self, const clod_posterior_target *on
     return all;
 }
 
-static json_t *surrogate(const clod_result *self, const clod_posterior_target *one,
-                         double factor)
+static json_t *surrogate(const clod_result *self, size_t t)
 {
     const clod_plan *plan = self->plan;
+    const clod_posterior_target *one = &self->study->posterior->targets[t];
+    const double factor = plan->targets[t].measure.factor;
+    double least, greatest;
+    clod_surrogate_noise_ends(one->surrogate, &least, &greatest);
     json_t *lengths = json_object();
     for (size_t k = 0; k < plan->parameter_count; k++) {
         json_object_set_new(lengths, plan->parameters[k].name,
                             clod_json_number(clod_surrogate_length(one->surrogate, k)));
     }
-    json_t *made = json_pack("{s:s, s:I, s:o, s:o}", "kind",
+    const double noise = clod_posterior_noise(self->study->posterior, t);
+    json_t *made = json_pack("{s:s, s:I, s:o, s:o, s:o, s:o}", "kind",
                              CLOD_SURROGATE_NAMES[clod_surrogate_kind_of(one->surrogate)],
                              "runs", (json_int_t)one->runs, "packing_deviation",
-                             clod_json_number(factor * clod_surrogate_noise(one->surrogate)),
-                             "relative_lengths", lengths);
+                             clod_json_number(factor * noise), "least_packing_deviation",
+                             clod_json_number(factor * least), "greatest_packing_deviation",
+                             clod_json_number(factor * greatest), "relative_lengths", lengths);
     if (one->checked) {
         json_object_set_new(made, "left_out_error",
                             clod_json_number(factor * one->check.error));
@@ -112,7 +117,7 @@ static json_t *target(const clod_result *self, size_t t)
                   "discrepancy", clod_json_number(f * of->discrepancy), "model",
                   clod_json_number(f * one->mean), "low", clod_json_number(f * one->low),
                   "high", clod_json_number(f * one->high), "off", clod_json_number(one->off),
-                  "surrogate", one->surrogate != NULL ? surrogate(self, one, f) : json_null());
+                  "surrogate", one->surrogate != NULL ? surrogate(self, t) : json_null());
     if (of->normal_stress > 0.0) {
         json_object_set_new(made, "normal_stress_Pa", clod_json_number(of->normal_stress));
     }

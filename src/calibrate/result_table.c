@@ -109,12 +109,25 @@ static void put_targets(FILE *out, const clod_result *self, bool held_back, cons
     }
 }
 
+/** "1.2 to 6.5": noise of packings in the ranges. */
+static void put_noise_ends(FILE *out, const clod_plan_target *of,
+                           const clod_posterior_target *one)
+{
+    double least, greatest;
+    char low[CELL], high[CELL], both[2 * CELL + 8];
+    clod_surrogate_noise_ends(one->surrogate, &least, &greatest);
+    snprintf(both, sizeof both, "%s to %s",
+             clod_result_measured(&of->measure, least, low, sizeof low),
+             clod_result_measured(&of->measure, greatest, high, sizeof high));
+    fprintf(out, " %18s", both);
+}
+
 static void put_surrogates(FILE *out, const clod_result *self)
 {
     fprintf(
         out,
-        "\nSurrogates, each point predicted by the others\n  %-34s %-16s %5s %10s %10s %7s %9s\n",
-        "", "kind", "runs", "packings", "error", "Q2", "in 2 dev.");
+        "\nSurrogates, each point predicted by the others\n  %-34s %-16s %5s %10s %18s %10s %7s %9s\n",
+        "", "kind", "runs", "packings", "in the ranges", "error", "Q2", "in 2 dev.");
     for (size_t t = 0; t < self->plan->target_count; t++) {
         const clod_plan_target *of = &self->plan->targets[t];
         const clod_posterior_target *one = &self->study->posterior->targets[t];
@@ -125,8 +138,10 @@ static void put_surrogates(FILE *out, const clod_result *self)
         }
         fprintf(out, "  %-34s %-16s %5zu %10s", of->name,
                 CLOD_SURROGATE_NAMES[clod_surrogate_kind_of(one->surrogate)], one->runs,
-                clod_result_measured(&of->measure, clod_surrogate_noise(one->surrogate), text,
+                clod_result_measured(&of->measure,
+                                     clod_posterior_noise(self->study->posterior, t), text,
                                      sizeof text));
+        put_noise_ends(out, of, one);
         if (one->checked) {
             fprintf(out, " %10s %7.2f %7.0f %%\n",
                     clod_result_measured(&of->measure, one->check.error, text, sizeof text),
@@ -136,8 +151,9 @@ static void put_surrogates(FILE *out, const clod_result *self)
         }
     }
     fputs(
-        "  packings: standard deviation between packings of one point; error: root of the mean square\n"
-        "  of a left-out point's error; Q2: 1 where it is exact, 0 where the mean would do as well.\n",
+        "  packings: standard deviation between packings of one point, at the means of the parameters;\n"
+        "  in the ranges: its least and greatest; error: root of the mean square of a left-out point's\n"
+        "  error; Q2: 1 where it is exact, 0 where the mean would do as well.\n",
         out);
 }
 

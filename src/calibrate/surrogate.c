@@ -87,7 +87,7 @@ double clod_surrogate_correlation(const clod_surrogate *self, const double *a, c
     }
     double square = 0.0;
     for (size_t k = 0; k < self->dimensions; k++) {
-        const double apart = (a[k] - b[k]) / self->lengths[k];
+        const double apart = (a[k] - b[k]) / self->hyper.lengths[k];
         square += apart * apart;
     }
     const double r = sqrt(5.0 * square);
@@ -98,9 +98,12 @@ double clod_surrogate_correlation(const clod_surrogate *self, const double *a, c
 static void fill_matrix(clod_surrogate *self)
 {
     const bool gaussian = self->kind == CLOD_SURROGATE_GAUSSIAN;
+    self->mean_growth = 0.0;
     for (size_t i = 0; i < self->count; i++) {
         const double *u = self->inputs + i * self->dimensions;
-        gsl_matrix_set(self->factor, i, i, gaussian ? 1.0 + self->nugget : 1.0);
+        const double noise = clod_surrogate_growth(self, u);
+        self->mean_growth += noise / (double)self->count;
+        gsl_matrix_set(self->factor, i, i, gaussian ? 1.0 + self->hyper.nugget * noise : noise);
         for (size_t j = 0; j < i; j++) {
             const double r =
                 clod_surrogate_correlation(self, u, self->inputs + j * self->dimensions);
@@ -143,7 +146,7 @@ bool clod_surrogate_factor(clod_surrogate *self)
     gsl_blas_ddot(self->residual, self->residual, &square);
     const double freedom = (double)(self->count - self->terms);
     self->variance = fmax(square / freedom, self->least);
-    self->likelihood = -0.5 * freedom * log(self->variance) -
+    self->likelihood = clod_surrogate_prior(self) - 0.5 * freedom * log(self->variance) -
                        half_log_determinant(self->factor) - half_log_determinant(self->normal);
     return isfinite(self->likelihood);
 }
@@ -228,8 +231,7 @@ clod_surrogate *clod_surrogate_create(const clod_surrogate_runs *runs, clod_surr
     if (self == NULL) {
         return NULL;
     }
-    const bool good = kind == CLOD_SURROGATE_GAUSSIAN ? clod_surrogate_fit(self, runs->stop)
-                                                      : clod_surrogate_factor(self);
+    const bool good = clod_surrogate_fit(self, runs->stop);
     if (clod_stop_asked(runs->stop)) {
         clod_surrogate_destroy(&self);
         clod_stop_fail(status);
@@ -239,15 +241,14 @@ clod_surrogate *clod_surrogate_create(const clod_surrogate_runs *runs, clod_surr
 }
 
 clod_surrogate *clod_surrogate_create_at(const clod_surrogate_runs *runs,
-                                         clod_surrogate_kind kind, const double *lengths,
-                                         double nugget, clod_status *status)
+                                         clod_surrogate_kind kind,
+                                         const clod_surrogate_hyper *hyper, clod_status *status)
 {
     clod_surrogate *self = begin(runs, kind, status);
     if (self == NULL) {
         return NULL;
     }
-    memcpy(self->lengths, lengths, runs->dimensions * sizeof(double));
-    self->nugget = nugget;
+    self->hyper = *hyper;
     return finish(self, clod_surrogate_factor(self), status);
 }
 
@@ -281,7 +282,7 @@ clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double 
     terms_at(self, inputs, h.vector.data);
     double mean;
     gsl_blas_ddot(&h.vector, self->beta, &mean);
-    double left = 1.0; // a polynomial may be off everywhere by as much as runs are off it
+    double left = 1.0;
     if (self->kind == CLOD_SURROGATE_GAUSSIAN) {
         for (size_t i = 0; i < self->count; i++) {
             room[i] =
@@ -294,18 +295,14 @@ clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double 
         mean += part;
         left = fmax(0.0, 1.0 - square);
         gsl_blas_dgemv(CblasTrans, -1.0, self->basis, &w.vector, 1.0, &h.vector);
+    } else { // it may be off as runs are off it on the average, or as they are there if that is more
+        left = fmax(self->mean_growth, clod_surrogate_growth(self, inputs));
     }
     gsl_vector_memcpy(&t.vector, &h.vector);
     gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, self->normal, &t.vector);
     double spread;
     gsl_blas_ddot(&t.vector, &t.vector, &spread);
     return (clod_surrogate_value){mean, self->variance * (left + spread)};
-}
-
-double clod_surrogate_noise(const clod_surrogate *self)
-{
-    const bool gaussian = self->kind == CLOD_SURROGATE_GAUSSIAN;
-    return sqrt(self->variance * (gaussian ? self->nugget : 1.0));
 }
 
 double clod_surrogate_residual(const clod_surrogate *self, size_t i)
@@ -320,7 +317,8 @@ double clod_surrogate_likelihood(const clod_surrogate *self)
 
 double clod_surrogate_length(const clod_surrogate *self, size_t dimension)
 {
-    return self->kind == CLOD_SURROGATE_GAUSSIAN ? self->lengths[dimension] : (double)INFINITY;
+    return self->kind == CLOD_SURROGATE_GAUSSIAN ? self->hyper.lengths[dimension]
+                                                 : (double)INFINITY;
 }
 
 clod_surrogate_kind clod_surrogate_kind_of(const clod_surrogate *self)

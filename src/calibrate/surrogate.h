@@ -2,7 +2,8 @@
 /**
  * @file surrogate.h
  * A result of a simulation as a smooth function of its parameters, from runs with the noise of
- * packings: a Gaussian process about a straight line, or a polynomial where there are few runs.
+ * packings: a Gaussian process about a straight line, or a polynomial where there are few runs. The noise
+ * may grow over the ranges.
  * docs/theory/calibration.md has the equations.
  */
 
@@ -30,6 +31,16 @@ typedef struct clod_surrogate_runs {
     const double *results; ///< [count]
     const clod_stop *stop; ///< asked while a surrogate is fitted to them; NULL: never
 } clod_surrogate_runs;
+
+/** What a likelihood is of: the noise of packings has the variance nugget exp(slopes . (u - 1/2)) over that of
+ *  the process, and exp(slopes . (u - 1/2)) over that in the middle in a polynomial. */
+typedef struct clod_surrogate_hyper {
+    double lengths
+        [CLOD_SURROGATE_MOST]; ///< correlation lengths; not used by a polynomial, nor is the next
+    double nugget;             ///< in the middle of all ranges
+    double
+        slopes[CLOD_SURROGATE_MOST]; ///< of the logarithm of the noise's variance, over a range
+} clod_surrogate_hyper;
 
 /** A fitted surrogate; opaque. */
 typedef struct clod_surrogate clod_surrogate;
@@ -60,7 +71,8 @@ size_t clod_surrogate_terms(clod_surrogate_kind kind, size_t dimensions);
 size_t clod_surrogate_points(const clod_surrogate_runs *runs);
 
 /**
- * Fit by greatest restricted likelihood.
+ * Fit by greatest restricted likelihood, with a normal prior of the slopes of the noise about 0. They are 0
+ * where so few runs are left over that they tell no more numbers than those of the variance, 1 + dimensions.
  *
  * @param runs  copied
  * @return      owned (clod_surrogate_destroy), or NULL
@@ -74,10 +86,11 @@ size_t clod_surrogate_points(const clod_surrogate_runs *runs);
 clod_surrogate *clod_surrogate_create(const clod_surrogate_runs *runs, clod_surrogate_kind kind,
                                       clod_status *status);
 
-/** The same with lengths and nugget given, for tests and for points that are added in thought. */
+/** The same with lengths, nugget and slopes given, for tests and for points that are added in thought. */
 clod_surrogate *clod_surrogate_create_at(const clod_surrogate_runs *runs,
-                                         clod_surrogate_kind kind, const double *lengths,
-                                         double nugget, clod_status *status);
+                                         clod_surrogate_kind kind,
+                                         const clod_surrogate_hyper *hyper,
+                                         clod_status *status);
 
 /** One more run in thought, with the mean as its result: what it would tell, at the hyperparameters and
  *  the variance as they are. @return owned, or NULL */
@@ -92,14 +105,23 @@ clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double 
                                        double *room);
 size_t clod_surrogate_room(const clod_surrogate *self);
 
-/** Standard deviation between packings of one point. */
-double clod_surrogate_noise(const clod_surrogate *self);
+/** Standard deviation between packings of one point. @param inputs [dimensions] the point */
+double clod_surrogate_noise(const clod_surrogate *self, const double *inputs);
+
+/** Its least and greatest over all ranges: at two opposite corners, for its logarithm is linear. */
+void clod_surrogate_noise_ends(const clod_surrogate *self, double *least, double *greatest);
+
+/** Standard deviation between packings at the point of run number i. */
+double clod_surrogate_noise_of(const clod_surrogate *self, size_t i);
+
+/** Growth of the logarithm of the noise's variance over the range of an input. */
+double clod_surrogate_slope(const clod_surrogate *self, size_t dimension);
 
 /** What run number i is off the fit, L^-1 (results - H b): of all runs independent, with one variance, where
- *  the surrogate holds; of a polynomial the plain residual. */
+ *  the surrogate holds; of a polynomial the residual over the noise's growth since the middle. */
 double clod_surrogate_residual(const clod_surrogate *self, size_t i);
 
-/** Greatest restricted log likelihood, without constants. */
+/** Greatest restricted log likelihood, with the log prior of the slopes, both without constants. */
 double clod_surrogate_likelihood(const clod_surrogate *self);
 
 /** Correlation length along an input; INFINITY: a polynomial. */

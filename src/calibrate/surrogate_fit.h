@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file surrogate_fit.h
- * What a surrogate is made of, for surrogate.c, surrogate_fit.c and surrogate_out.c alone.
+ * What a surrogate is made of, for surrogate.c, surrogate_fit.c, surrogate_noise.c and surrogate_out.c alone.
  */
 
 #include <gsl/gsl_matrix.h>
@@ -9,16 +9,20 @@
 
 #include "calibrate/surrogate.h"
 
+/** Standard deviation of what the log variance of the noise changes by from a corner of all ranges to the
+ *  opposite one, before runs are seen: noise in proportion to a number that doubles is 2 ln 2 = 1.4. */
+#define CLOD_SURROGATE_GROWTH 1.5
+
 /** With V = L L' the correlation of results, H the polynomial's terms at the runs. */
 struct clod_surrogate {
     size_t dimensions, count, terms;
     clod_surrogate_kind kind;
     double *inputs, *results; ///< [count][dimensions], [count] owned
-    double lengths[CLOD_SURROGATE_MOST];
-    double nugget;        ///< variance of the noise of packings over that of the process
-    double variance;      ///< of the process; of the noise in a polynomial
+    clod_surrogate_hyper hyper;
+    double mean_growth;   ///< of the noise's variance since the middle, over the runs
+    double variance;      ///< of the process; of the noise in the middle in a polynomial
     double least;         ///< that the variance is kept above
-    double likelihood;    ///< restricted, logarithm, without constants
+    double likelihood;    ///< restricted, with the prior, logarithm, without constants
     gsl_matrix *factor;   ///< L
     gsl_matrix *basis;    ///< L^-1 H
     gsl_matrix *normal;   ///< Cholesky factor of H' V^-1 H
@@ -26,12 +30,19 @@ struct clod_surrogate {
     gsl_vector *residual; ///< L^-1 (results - H beta)
 };
 
-/** Factor all at the present lengths and nugget; false when a matrix is singular. */
+/** Factor all at the present lengths, nugget and slopes; false when a matrix is singular. */
 bool clod_surrogate_factor(clod_surrogate *self);
 
 /** Matern 5/2 correlation of two points; 0 for a polynomial. */
 double clod_surrogate_correlation(const clod_surrogate *self, const double *a, const double *b);
 
-/** Find lengths and nugget of greatest restricted likelihood, and factor there; false also when `stop` was
+/** Variance of the noise of packings at a place over that in the middle of all ranges. */
+double clod_surrogate_growth(const clod_surrogate *self, const double *inputs);
+
+/** Log prior of the slopes, without constants: from a corner of all ranges to the opposite one the logarithm
+ *  of the noise's variance changes by a normal number, whose deviation docs/theory/calibration.md derives. */
+double clod_surrogate_prior(const clod_surrogate *self);
+
+/** Find lengths, nugget and slopes of greatest restricted likelihood, and factor there; false also when `stop` was
  *  asked for, by then or before every likelihood. */
 bool clod_surrogate_fit(clod_surrogate *self, const clod_stop *stop);

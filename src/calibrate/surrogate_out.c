@@ -21,8 +21,7 @@ static clod_surrogate_runs runs_of(const clod_surrogate *self)
 static clod_surrogate *with(const clod_surrogate *self, const clod_surrogate_runs *runs,
                             clod_status *status)
 {
-    clod_surrogate *other =
-        clod_surrogate_create_at(runs, self->kind, self->lengths, self->nugget, status);
+    clod_surrogate *other = clod_surrogate_create_at(runs, self->kind, &self->hyper, status);
     if (other != NULL) {
         other->variance = self->variance;
     }
@@ -99,7 +98,7 @@ static bool leave(const clod_surrogate *self, size_t row, double centre, double 
     }
     const clod_surrogate_value told = clod_surrogate_at(left, out, room);
     const double noise =
-        self->kind == CLOD_SURROGATE_GAUSSIAN ? clod_surrogate_noise(self) : 0.0;
+        self->kind == CLOD_SURROGATE_GAUSSIAN ? clod_surrogate_noise(self, out) : 0.0;
     const double error = mean - told.mean;
     const double deviation = sqrt(told.variance + noise * noise / packings);
     to->square += error * error;

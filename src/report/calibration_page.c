@@ -194,9 +194,10 @@ static void put_surrogates(FILE *out, const json_t *result)
     size_t k;
     const json_t *one;
     fputs("<h3>Surrogates, each point predicted by the others</h3>\n", out);
-    put_heads(out,
-              "target|surrogate|runs|between packings|error of left-out points|Q2|within two "
-              "deviations");
+    put_heads(
+        out,
+        "target|surrogate|runs|between packings, at the means|least in the ranges|greatest|"
+        "error of left-out points|Q2|within two deviations");
     json_array_foreach(json_object_get(result, "targets"), k, one)
     {
         const json_t *about = json_object_get(one, "surrogate");
@@ -204,6 +205,8 @@ static void put_surrogates(FILE *out, const json_t *result)
         put_word(out, about, "kind");
         put_number(out, about, "runs", (double)NAN);
         put_number(out, about, "packing_deviation", (double)NAN);
+        put_number(out, about, "least_packing_deviation", (double)NAN);
+        put_number(out, about, "greatest_packing_deviation", (double)NAN);
         put_number(out, about, "left_out_error", (double)NAN);
         put_number(out, about, "q2", 0.1);
         put_number(out, about, "within_two_deviations", 0.1);

@@ -46,7 +46,7 @@ static void a_line_is_that_of_least_squares(void **state)
         check_close(told.mean, 1.0 / 6.0 + at, 1e-14);
         check_close(told.variance, (4.0 / 3.0 + 2.0 * (at - 0.5) * (at - 0.5)) / 6.0, 1e-14);
     }
-    check_close(clod_surrogate_noise(self), sqrt(1.0 / 6.0), 1e-14);
+    check_close(clod_surrogate_noise(self, u), sqrt(1.0 / 6.0), 1e-14);
     clod_surrogate_destroy(&self);
 }
 
@@ -101,12 +101,18 @@ static void solve(double a[M][M], double b[M])
     }
 }
 
-static const double LENGTHS[] = {0.4, 0.9};
+static const clod_surrogate_hyper HYPER = {{0.4, 0.9}, NUGGET, {1.2, -0.7}};
+
+/** Variance of the noise over that in the middle. */
+static double growth(const double *a)
+{
+    return exp(1.2 * (a[0] - 0.5) - 0.7 * (a[1] - 0.5));
+}
 
 static double matern(const double *a, const double *b)
 {
-    const double x = (a[0] - b[0]) / LENGTHS[0];
-    const double y = (a[1] - b[1]) / LENGTHS[1];
+    const double x = (a[0] - b[0]) / HYPER.lengths[0];
+    const double y = (a[1] - b[1]) / HYPER.lengths[1];
     const double r = sqrt(x * x + y * y);
     return (1.0 + sqrt(5.0) * r + 5.0 / 3.0 * r * r) * exp(-sqrt(5.0) * r);
 }
@@ -116,7 +122,7 @@ static void fill(double a[M][M], double u[N][2])
     memset(a, 0, M * sizeof *a);
     for (int i = 0; i < N; i++) {
         for (int j = 0; j < N; j++) {
-            a[i][j] = matern(u[i], u[j]) + (i == j ? NUGGET : 0.0);
+            a[i][j] = matern(u[i], u[j]) + (i == j ? NUGGET * growth(u[i]) : 0.0);
         }
         const double terms[] = {1.0, u[i][0], u[i][1]};
         for (int k = 0; k < 3; k++) {
@@ -159,13 +165,13 @@ static void a_process_is_universal_kriging(void **state)
     const clod_surrogate_runs runs = {2, N, u[0], y, NULL};
     clod_status status = {CLOD_OK, ""};
     clod_surrogate *self =
-        clod_surrogate_create_at(&runs, CLOD_SURROGATE_GAUSSIAN, LENGTHS, NUGGET, &status);
+        clod_surrogate_create_at(&runs, CLOD_SURROGATE_GAUSSIAN, &HYPER, &status);
     assert_non_null(self);
     double room[32];
     const clod_surrogate_value told = clod_surrogate_at(self, at, room);
     check_close(told.mean, mean, 1e-12);
     check_close(told.variance, variance * left, 1e-12);
-    check_close(clod_surrogate_noise(self), sqrt(variance * NUGGET), 1e-12);
+    check_close(clod_surrogate_noise(self, at), sqrt(variance * NUGGET * growth(at)), 1e-12);
     clod_surrogate_destroy(&self);
 }
 
@@ -190,7 +196,8 @@ static void noise_and_function_are_found(void **state)
     const clod_surrogate_runs runs = {1, POINTS * PACKINGS, u, y, NULL};
     assert_int_equal(clod_surrogate_points(&runs), POINTS);
     clod_surrogate *self = create(&runs, CLOD_SURROGATE_GAUSSIAN);
-    check_relative(clod_surrogate_noise(self), NOISE, 0.27);
+    const double middle = 0.5;
+    check_relative(clod_surrogate_noise(self, &middle), NOISE, 0.27);
     double room[256];
     int inside = 0;
     for (int i = 0; i < 100; i++) {
@@ -223,12 +230,14 @@ static void the_likelihood_is_the_greatest(void **state)
     }
     const clod_surrogate_runs runs = {2, 12, u[0], y, NULL};
     clod_surrogate *best = create(&runs, CLOD_SURROGATE_GAUSSIAN);
-    for (int k = 0; k < 6 * 6 * 6; k++) {
-        const double lengths[] = {0.1 * pow(100.0, (k % 6) / 5.0),
-                                  0.1 * pow(100.0, (k / 6 % 6) / 5.0)};
+    for (int k = 0; k < 6 * 6 * 6 * 5 * 5; k++) {
+        const clod_surrogate_hyper hyper = {
+            {0.1 * pow(100.0, (k % 6) / 5.0), 0.1 * pow(100.0, (k / 6 % 6) / 5.0)},
+            1e-6 * pow(1e10, (k / 36 % 6) / 5.0),
+            {1.5 * (k / 216 % 5 - 2), 1.5 * (k / 1080 - 2)}};
         clod_status status = {CLOD_OK, ""};
-        clod_surrogate *other = clod_surrogate_create_at(
-            &runs, CLOD_SURROGATE_GAUSSIAN, lengths, 1e-6 * pow(1e10, (k / 36) / 5.0), &status);
+        clod_surrogate *other =
+            clod_surrogate_create_at(&runs, CLOD_SURROGATE_GAUSSIAN, &hyper, &status);
         if (other != NULL) {
             check_at_most(clod_surrogate_likelihood(other),
                           clod_surrogate_likelihood(best) + 1e-3);
@@ -244,11 +253,12 @@ static void a_believed_run_narrows_and_moves_nothing(void **state)
     (void)state;
     const double u[] = {0.0, 0.2, 0.4, 0.9, 1.0};
     const double y[] = {1.0, 1.4, 0.7, 2.0, 1.8};
-    const double length = 0.3, at = 0.65;
+    const clod_surrogate_hyper hyper = {{0.3}, 0.05, {2.0}};
+    const double at = 0.65;
     const clod_surrogate_runs runs = {1, 5, u, y, NULL};
     clod_status status = {CLOD_OK, ""};
     clod_surrogate *self =
-        clod_surrogate_create_at(&runs, CLOD_SURROGATE_GAUSSIAN, &length, 0.05, &status);
+        clod_surrogate_create_at(&runs, CLOD_SURROGATE_GAUSSIAN, &hyper, &status);
     clod_surrogate *more = clod_surrogate_believe(self, &at, &status);
     assert_non_null(more);
     double room[32];
@@ -256,7 +266,7 @@ static void a_believed_run_narrows_and_moves_nothing(void **state)
     const clod_surrogate_value after = clod_surrogate_at(more, &at, room);
     check_close(after.mean, before.mean, 1e-12);
     // one measurement with the noise's variance: 1/after = 1/before + 1/noise^2
-    const double noise = clod_surrogate_noise(self);
+    const double noise = clod_surrogate_noise(self, &at);
     check_relative(1.0 / after.variance, 1.0 / before.variance + 1.0 / (noise * noise), 1e-9);
     clod_surrogate_destroy(&more);
     clod_surrogate_destroy(&self);

@@ -175,8 +175,9 @@ def calibration(folder):
                 "b": {"at": small, "mean": [30 + 7e3 * x for x in small], "deviation": [0.5] * 10}}
     target = {"name": "ring: phi_e", "measured": 33.5, "error": 0.6, "discrepancy": 0.5, "model": 33.6, "low": 32.5, "high": 34.7,
               "unit": "deg", "off": 0.1, "held_back": False,
-              "surrogate": {"kind": "gaussian process", "runs": 8, "packing_deviation": 0.4, "left_out_error": 0.51, "q2": 0.93,
-                            "within_two_deviations": 0.95, "sections": sections}}
+              "surrogate": {"kind": "gaussian process", "runs": 8, "packing_deviation": 0.4, "least_packing_deviation": 0.25,
+                            "greatest_packing_deviation": 0.625, "left_out_error": 0.51, "q2": 0.93, "within_two_deviations": 0.95,
+                            "sections": sections}}
     kept = {**target, "name": "ring: phi_sf", "measured": 30.25, "model": 29.5, "low": 28.0, "high": 31.0, "held_back": True}
     other = {**target, "name": "ring: sigma_c", "unit": "kPa", "measured": 7.5, "error": 0.25, "model": 7.25, "low": 6.5, "high": 8.0}
     write(folder, calibration__json={"version": "clod 10 (def)", "written": "2001-02-03T04:05:06.789Z",
