@@ -5,6 +5,7 @@
 
 #include "parallel/threads.h"
 #include "step/near_skins.h"
+#include "step/passages.h"
 #include "step/spread.h"
 
 void clod_step_move_walls(clod_step *self)
@@ -63,20 +64,37 @@ static void watch_rows(clod_step *self, clod_step_thread *mine, clod_near_watch 
     mine->used_up = mine->used_up || seen.left < 0.0;
 }
 
+/** Drift of the rows of a watch; those that pass planes on their way are counted. */
+static clod_kernel_speed drift_watch(clod_step *self, clod_step_thread *mine, clod_chunk rows)
+{
+    clod_grains *grains = &self->state->grains;
+    const double *gravity = mine->kick_due ? self->state->gravity : NULL;
+    const size_t count = rows.end - rows.begin;
+    double before[CLOD_NEAR_WATCHED][4];
+    if (self->passed != NULL) {
+        memcpy(before, grains->position[rows.begin], count * sizeof *before);
+    }
+    const clod_kernel_speed seen =
+        self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
+                            grains->load, gravity, self->state->dt, rows.begin, rows.end);
+    if (self->passed != NULL) {
+        const size_t first = (size_t)(mine - self->thread) * (size_t)self->state->planes.count;
+        clod_passages_count(self->passed + first, self->state, (const double(*)[4])before,
+                            rows.begin, count);
+    }
+    return seen;
+}
+
 /** Drift of rows, watch by watch; `cuts` of rows are before them. */
 static clod_kernel_speed drift_rows(clod_step *self, clod_step_thread *mine, clod_chunk rows,
                                     size_t cuts)
 {
-    clod_grains *grains = &self->state->grains;
-    const double *gravity = mine->kick_due ? self->state->gravity : NULL;
     clod_kernel_speed seen = {0.0, true};
     size_t number = rows.begin / CLOD_NEAR_WATCHED;
     for (size_t begin = rows.begin; begin < rows.end; number++) {
         const size_t next = (number + 1) * CLOD_NEAR_WATCHED;
         const size_t end = next < rows.end ? next : rows.end;
-        const clod_kernel_speed some =
-            self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
-                                grains->load, gravity, self->state->dt, begin, end);
+        const clod_kernel_speed some = drift_watch(self, mine, (clod_chunk){begin, end});
         seen.max_speed2 = fmax(seen.max_speed2, some.max_speed2);
         seen.finite = seen.finite && some.finite;
         watch_rows(self, mine, &self->near.watch[number + cuts], (clod_chunk){begin, end},
