@@ -84,16 +84,17 @@ static void check_plane(clod_loader *loader, const clod_case *self,
     char text[320];
     clod_region_bounds(&gauge->region, low, high);
     if (at < low[a] || at > high[a]) {
-        snprintf(text, sizeof text,
-                 "is outside of the region: along %c, the axis nearest to direction, that "
-                 "reaches from %.9g m to %.9g m; put the plane there, or make the region larger",
-                 "xyz"[a], low[a], high[a]);
+        snprintf(
+            text, sizeof text,
+            "is outside of the region: along %c, the axis nearest to direction, that "
+            "reaches from %.9g m to %.9g m; put the plane there, or make the region larger",
+            "xyz"[a], low[a], high[a]);
         fail(loader, gauge, "plane.at", text);
     } else if (self->has_domain && (at < self->domain_min[a] || at > self->domain_max[a])) {
         snprintf(text, sizeof text,
                  "is outside of the domain, so no grain passes it: along %c, the axis nearest "
                  "to direction, the domain reaches from %.9g m to %.9g m",
-                 "xyz"[a], self->domain_min[a], self->domain_max[a]);
+                 "xyz"[a], self -> domain_min[a], self -> domain_max[a]);
         fail(loader, gauge, "plane.at", text);
     }
 }

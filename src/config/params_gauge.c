@@ -159,8 +159,9 @@ static const clod_param GAUGE[] = {
      .need = CLOD_PARAM_OPTIONAL,
      .table = &PLANE_TABLE,
      .given = offsetof(G, has_plane),
-     .help = "Count each grain whose centre passes a plane within the region, forward and back: "
-             "mass flow through it, exactly. Needs direction.",
+     .help =
+         "Count each grain whose centre passes a plane within the region, forward and back: "
+         "mass flow through it, exactly. Needs direction.",
      .source = "docs/gauges.md"},
     {.key = "profile",
      .kind = CLOD_PARAM_SECTION,

@@ -18,10 +18,9 @@ static const clod_passed *passed_of(const clod_case *from, const clod_state *sta
 static clod_gauge_passed count_of(const clod_case *from, const clod_state *state, size_t gauge)
 {
     const clod_passed *passed = passed_of(from, state, gauge);
-    return (clod_gauge_passed){
-        .time = state->time,
-        .forward = clod_exact_value(&passed->mass[CLOD_PASSED_FORWARD]),
-        .back = clod_exact_value(&passed->mass[CLOD_PASSED_BACK])};
+    return (clod_gauge_passed){.time = state->time,
+                               .forward = clod_exact_value(&passed->mass[CLOD_PASSED_FORWARD]),
+                               .back = clod_exact_value(&passed->mass[CLOD_PASSED_BACK])};
 }
 
 static bool has_planes(const clod_case *from)
@@ -130,7 +129,7 @@ void clod_gauges_plane_report(FILE *out, const clod_gauges *self, const clod_fre
     fprintf(out,
             "  %-21s through %c = %.6g m: %" PRId64 " grain%s, %.6g kg forward; %" PRId64
             " grain%s, %.6g kg back",
-            "", "xyz"[clod_setup_planes_axis(from->direction)], from->plane_at,
+            "", "xyz"[clod_setup_planes_axis(from->direction)], from -> plane_at,
             grains[CLOD_PASSED_FORWARD], clod_plural((double)grains[CLOD_PASSED_FORWARD]),
             count.forward, grains[CLOD_PASSED_BACK],
             clod_plural((double)grains[CLOD_PASSED_BACK]), count.back);

@@ -30,10 +30,9 @@ static bool passes_within(const clod_plane *plane, const clod_domain *domain,
     const double share = share_before(plane, domain, from[plane->axis], to[plane->axis]);
     double point[3];
     for (int a = 0; a < 3; a++) {
-        point[a] =
-            a == plane->axis
-                ? plane->at
-                : clod_domain_within(domain, a, from[a] + share * (to[a] - from[a]));
+        point[a] = a == plane->axis
+                       ? plane->at
+                       : clod_domain_within(domain, a, from[a] + share * (to[a] - from[a]));
     }
     return clod_outlet_has(&plane->region, point);
 }

@@ -198,10 +198,10 @@ static bool allocate(clod_step *self)
     self->placed_gate = clod_memory_alloc((size_t)self->threads, sizeof *self->placed_gate);
     const size_t planes = (size_t)self->state->planes.count;
     if (planes > 0) {
-        self->passed =
-            clod_memory_alloc((size_t)self->threads * planes, sizeof *self->passed);
+        self->passed = clod_memory_alloc((size_t)self->threads * planes, sizeof *self->passed);
     }
-    if (self->thread == NULL || (planes > 0 && self->passed == NULL) || self->gate == NULL || self->placed_gate == NULL ||
+    if (self->thread == NULL || (planes > 0 && self->passed == NULL) || self->gate == NULL ||
+        self->placed_gate == NULL ||
         !clod_layer_order_reserve(&self->neighbour, self->near.parts)) {
         return false;
     }
