@@ -56,7 +56,8 @@ static void watch_rows(clod_step *self, clod_step_thread *mine, clod_near_watch 
     }
     const clod_near_seen seen =
         clod_near_look(&self->near, self->state, mine->age, rows.begin, rows.end);
-    *watch = (clod_near_watch){.left = seen.left, .fastest = seen.fastest};
+    *watch = (clod_near_watch){
+        .left = seen.left, .fastest = seen.fastest, .from_planes = watch->from_planes};
     if (mine->age > self->state->dt) { // after one step all grains are where they were expected
         mine->gone += seen.gone;
         mine->off_course += seen.off_course;
@@ -64,24 +65,40 @@ static void watch_rows(clod_step *self, clod_step_thread *mine, clod_near_watch 
     mine->used_up = mine->used_up || seen.left < 0.0;
 }
 
-/** Drift of the rows of a watch; those that pass planes on their way are counted. */
-static clod_kernel_speed drift_watch(clod_step *self, clod_step_thread *mine, clod_chunk rows)
+/** Count the rows of a watch that have passed planes in this step, if one can have.
+ *  @param before  [rows] where they were  @param speed  m/s, of the fastest */
+static void count_passages(clod_step *self, const clod_step_thread *mine,
+                           clod_near_watch *watch, const double (*before)[4], clod_chunk rows,
+                           double speed)
+{
+    // rounding makes no step longer than twice what it should be: it has whole last digits
+    watch->from_planes -= 2.0 * speed * self->state->dt;
+    if (watch->from_planes > 0.0) {
+        return;
+    }
+    const size_t first = (size_t)(mine - self->thread) * (size_t)self->state->planes.count;
+    watch->from_planes = clod_passages_count(self->passed + first, self->state, before,
+                                             rows.begin, rows.end - rows.begin);
+}
+
+/** Drift of the rows of a watch. */
+static clod_kernel_speed drift_watch(clod_step *self, clod_step_thread *mine,
+                                     clod_near_watch *watch, clod_chunk rows)
 {
     clod_grains *grains = &self->state->grains;
     const double *gravity = mine->kick_due ? self->state->gravity : NULL;
-    const size_t count = rows.end - rows.begin;
     double before[CLOD_NEAR_WATCHED][4];
     if (self->passed != NULL) {
-        memcpy(before, grains->position[rows.begin], count * sizeof *before);
+        memcpy(before, grains->position[rows.begin], (rows.end - rows.begin) * sizeof *before);
     }
     const clod_kernel_speed seen =
         self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
                             grains->load, gravity, self->state->dt, rows.begin, rows.end);
+    const double speed = sqrt(seen.max_speed2);
     if (self->passed != NULL) {
-        const size_t first = (size_t)(mine - self->thread) * (size_t)self->state->planes.count;
-        clod_passages_count(self->passed + first, self->state, (const double(*)[4])before,
-                            rows.begin, count);
+        count_passages(self, mine, watch, (const double(*)[4])before, rows, speed);
     }
+    watch_rows(self, mine, watch, rows, speed);
     return seen;
 }
 
@@ -94,11 +111,10 @@ static clod_kernel_speed drift_rows(clod_step *self, clod_step_thread *mine, clo
     for (size_t begin = rows.begin; begin < rows.end; number++) {
         const size_t next = (number + 1) * CLOD_NEAR_WATCHED;
         const size_t end = next < rows.end ? next : rows.end;
-        const clod_kernel_speed some = drift_watch(self, mine, (clod_chunk){begin, end});
+        const clod_kernel_speed some =
+            drift_watch(self, mine, &self->near.watch[number + cuts], (clod_chunk){begin, end});
         seen.max_speed2 = fmax(seen.max_speed2, some.max_speed2);
         seen.finite = seen.finite && some.finite;
-        watch_rows(self, mine, &self->near.watch[number + cuts], (clod_chunk){begin, end},
-                   sqrt(some.max_speed2));
         begin = end;
     }
     return seen;

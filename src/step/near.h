@@ -57,9 +57,10 @@ typedef struct clod_near_range {
 
 /** What is known of a run of rows since they were last looked at (near_skins.h). */
 typedef struct clod_near_watch {
-    double left;    ///< m, no more than the least that was left of a skin then
-    double motion;  ///< m, no less than what a grain can have left its course by since
-    double fastest; ///< m/s, of their courses
+    double left;        ///< m, no more than the least that was left of a skin then
+    double motion;      ///< m, no less than what a grain can have left its course by since
+    double fastest;     ///< m/s, of their courses
+    double from_planes; ///< m, no more than the least way of a grain to a plane; below 0: look
 } clod_near_watch;
 
 typedef struct clod_near {

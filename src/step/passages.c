@@ -7,6 +7,7 @@
 
 /** Passages in one step from which on they are no number of passages, but of a run that has gone wrong. */
 #define MANY 1e9
+#define ROUNDING 1e-12 ///< relative, of places and ways
 
 /** Share of the way from one coordinate to another that is behind at the first passage. */
 static double share_before(const clod_plane *plane, const clod_domain *domain, double from,
@@ -37,13 +38,31 @@ static bool passes_within(const clod_plane *plane, const clod_domain *domain,
     return clod_outlet_has(&plane->region, point);
 }
 
-static void count_one(clod_passed *passed, const clod_plane *plane, const clod_domain *domain,
-                      const double (*before)[4], const clod_grains *grains, size_t first,
-                      size_t rows)
+/** Way from a coordinate to the nearest image of a plane [m]. */
+static double way_to(const clod_plane *plane, const clod_domain *domain, double x)
 {
     const int a = plane->axis;
+    const double way = fabs(clod_domain_within(domain, a, x) - plane->at);
+    return domain->periodic[a] ? fmin(way, domain->max[a] - domain->min[a] - way) : way;
+}
+
+/** Rounding of ways to a plane, generously [m]. */
+static double rounding_of(const clod_plane *plane, const clod_domain *domain)
+{
+    const int a = plane->axis;
+    return ROUNDING * (fabs(plane->at) + fabs(domain->min[a]) + fabs(domain->max[a]));
+}
+
+/** @return  m, the least way to the plane that is left */
+static double count_one(clod_passed *passed, const clod_plane *plane, const clod_domain *domain,
+                        const double (*before)[4], const clod_grains *grains, size_t first,
+                        size_t rows)
+{
+    const int a = plane->axis;
+    double least = HUGE_VAL;
     for (size_t k = 0; k < rows; k++) {
         const double *to = grains->position[first + k];
+        least = fmin(least, way_to(plane, domain, to[a]));
         const double passages = clod_plane_level(plane, domain, to[a]) -
                                 clod_plane_level(plane, domain, before[k][a]);
         const double times = fabs(passages);
@@ -54,15 +73,19 @@ static void count_one(clod_passed *passed, const clod_plane *plane, const clod_d
         passed->grains[way] += (int64_t)times;
         clod_exact_add(&passed->mass[way], times * grains->velocity[first + k][3]);
     }
+    return least - rounding_of(plane, domain);
 }
 
-void clod_passages_count(clod_passed *passed, const clod_state *state,
-                         const double (*before)[4], size_t first, size_t rows)
+double clod_passages_count(clod_passed *passed, const clod_state *state,
+                           const double (*before)[4], size_t first, size_t rows)
 {
+    double least = HUGE_VAL;
     for (int32_t p = 0; p < state->planes.count; p++) {
-        count_one(&passed[p], &state->planes.plane[p], &state->domain, before, &state->grains,
-                  first, rows);
+        const double way = count_one(&passed[p], &state->planes.plane[p], &state->domain,
+                                     before, &state->grains, first, rows);
+        least = fmin(least, way);
     }
+    return least;
 }
 
 void clod_passages_merge(clod_passed *into, const clod_passed *from, int32_t count)

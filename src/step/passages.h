@@ -14,12 +14,13 @@
  *
  * @param passed  [planes->count] [in,out] of this thread
  * @param before  [rows] m, with the radius
- * @param grains  after it, from row `first` on
+ * @param first   row of the first of them, which are at the second now
+ * @return        m, no more than the least way of one of them to a plane from there
  * Errors  none.   Threads  each with its own rows and sums.
  * Source  docs/adr/0047   Test  tests/step/test_passages.c
  */
-void clod_passages_count(clod_passed *passed, const clod_state *state,
-                         const double (*before)[4], size_t first, size_t rows);
+double clod_passages_count(clod_passed *passed, const clod_state *state,
+                           const double (*before)[4], size_t first, size_t rows);
 
 /** Add sums [count] of the same planes. */
 void clod_passages_merge(clod_passed *into, const clod_passed *from, int32_t count);
