@@ -56,8 +56,8 @@ static void watch_rows(clod_step *self, clod_step_thread *mine, clod_near_watch 
     }
     const clod_near_seen seen =
         clod_near_look(&self->near, self->state, mine->age, rows.begin, rows.end);
-    *watch = (clod_near_watch){
-        .left = seen.left, .fastest = seen.fastest, .from_planes = watch->from_planes};
+    *watch =
+        (clod_near_watch){.left = seen.left, .fastest = seen.fastest, .noted = watch->noted};
     if (mine->age > self->state->dt) { // after one step all grains are where they were expected
         mine->gone += seen.gone;
         mine->off_course += seen.off_course;
@@ -65,56 +65,49 @@ static void watch_rows(clod_step *self, clod_step_thread *mine, clod_near_watch 
     mine->used_up = mine->used_up || seen.left < 0.0;
 }
 
-/** Count the rows of a watch that have passed planes in this step, if one can have.
- *  @param before  [rows] where they were  @param speed  m/s, of the fastest */
-static void count_passages(clod_step *self, const clod_step_thread *mine,
-                           clod_near_watch *watch, const double (*before)[4], clod_chunk rows,
-                           double speed)
-{
-    // rounding makes no step longer than twice what it should be: it has whole last digits
-    watch->from_planes -= 2.0 * speed * self->state->dt;
-    if (watch->from_planes > 0.0) {
-        return;
-    }
-    const size_t first = (size_t)(mine - self->thread) * (size_t)self->state->planes.count;
-    watch->from_planes = clod_passages_count(self->passed + first, self->state, before,
-                                             rows.begin, rows.end - rows.begin);
-}
-
-/** Drift of the rows of a watch. */
-static clod_kernel_speed drift_watch(clod_step *self, clod_step_thread *mine,
-                                     clod_near_watch *watch, clod_chunk rows)
+/** Drift of the rows of a watch, where there are planes. */
+static clod_kernel_speed drift_past_planes(clod_step *self, const clod_step_thread *mine,
+                                           const double *gravity, size_t number,
+                                           clod_chunk rows)
 {
     clod_grains *grains = &self->state->grains;
-    const double *gravity = mine->kick_due ? self->state->gravity : NULL;
-    double before[CLOD_NEAR_WATCHED][4];
-    if (self->passed != NULL) {
-        memcpy(before, grains->position[rows.begin], (rows.end - rows.begin) * sizeof *before);
+    clod_near_watch *watch = &self->near.watch[number];
+    const size_t planes = (size_t)self->state->planes.count, count = rows.end - rows.begin;
+    clod_passage *seen = self->near.passage + number * planes;
+    if (!watch->noted) {
+        clod_passages_note(seen, self->state, rows.begin, count);
+        watch->noted = true;
     }
-    const clod_kernel_speed seen =
+    const clod_kernel_speed some =
         self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
                             grains->load, gravity, self->state->dt, rows.begin, rows.end);
-    const double speed = sqrt(seen.max_speed2);
-    if (self->passed != NULL) {
-        count_passages(self, mine, watch, (const double(*)[4])before, rows, speed);
-    }
-    watch_rows(self, mine, watch, rows, speed);
-    return seen;
+    clod_passed *passed = self->passed + (size_t)(mine - self->thread) * planes;
+    clod_passages_count(passed, seen, self->state, sqrt(some.max_speed2), rows.begin, count);
+    return some;
 }
 
 /** Drift of rows, watch by watch; `cuts` of rows are before them. */
 static clod_kernel_speed drift_rows(clod_step *self, clod_step_thread *mine, clod_chunk rows,
                                     size_t cuts)
 {
+    clod_grains *grains = &self->state->grains;
+    const double *gravity = mine->kick_due ? self->state->gravity : NULL;
     clod_kernel_speed seen = {0.0, true};
     size_t number = rows.begin / CLOD_NEAR_WATCHED;
     for (size_t begin = rows.begin; begin < rows.end; number++) {
         const size_t next = (number + 1) * CLOD_NEAR_WATCHED;
         const size_t end = next < rows.end ? next : rows.end;
+        const clod_chunk watched = {begin, end};
         const clod_kernel_speed some =
-            drift_watch(self, mine, &self->near.watch[number + cuts], (clod_chunk){begin, end});
+            self->passed != NULL
+                ? drift_past_planes(self, mine, gravity, number + cuts, watched)
+                : self->kernel->drift(grains->position, grains->velocity,
+                                      grains->angular_velocity, grains->load, gravity,
+                                      self->state->dt, begin, end);
         seen.max_speed2 = fmax(seen.max_speed2, some.max_speed2);
         seen.finite = seen.finite && some.finite;
+        watch_rows(self, mine, &self->near.watch[number + cuts], watched,
+                   sqrt(some.max_speed2));
         begin = end;
     }
     return seen;

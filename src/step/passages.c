@@ -3,89 +3,108 @@
 #include <math.h>
 #include <string.h>
 
+#include "step/near_skins.h"
 #include "step/spread.h"
 
-/** Passages in one step from which on they are no number of passages, but of a run that has gone wrong. */
-#define MANY 1e9
-#define ROUNDING 1e-12 ///< relative, of places and ways
+_Static_assert(CLOD_PASSAGE_ROWS >= CLOD_NEAR_WATCHED, "a watch is looked at together");
 
-/** Share of the way from one coordinate to another that is behind at the first passage. */
-static double share_before(const clod_plane *plane, const clod_domain *domain, double from,
-                           double to)
+#define ROUNDING 1e-12 ///< relative, of places and ways, generously
+
+/** Length of a plane's period [m]; 0: it has none. */
+static double period_of(const clod_plane *plane, const clod_domain *domain)
 {
     const int a = plane->axis;
-    const double period = domain->periodic[a] ? domain->max[a] - domain->min[a] : 0.0;
-    double gap = plane->at - clod_domain_within(domain, a, from);
-    if (to > from && gap <= 0.0) { // the next image is ahead
-        gap += period;
-    } else if (to < from && gap > 0.0) {
-        gap -= period;
-    }
-    return fmin(fmax(gap / (to - from), 0.0), 1.0);
-}
-
-/** Whether a grain passes a plane within its region. */
-static bool passes_within(const clod_plane *plane, const clod_domain *domain,
-                          const double from[4], const double to[4])
-{
-    const double share = share_before(plane, domain, from[plane->axis], to[plane->axis]);
-    double point[3];
-    for (int a = 0; a < 3; a++) {
-        point[a] = a == plane->axis
-                       ? plane->at
-                       : clod_domain_within(domain, a, from[a] + share * (to[a] - from[a]));
-    }
-    return clod_outlet_has(&plane->region, point);
+    return domain->periodic[a] ? domain->max[a] - domain->min[a] : 0.0;
 }
 
 /** Way from a coordinate to the nearest image of a plane [m]. */
 static double way_to(const clod_plane *plane, const clod_domain *domain, double x)
 {
-    const int a = plane->axis;
-    const double way = fabs(clod_domain_within(domain, a, x) - plane->at);
-    return domain->periodic[a] ? fmin(way, domain->max[a] - domain->min[a] - way) : way;
+    const double way = fabs(clod_domain_within(domain, plane->axis, x) - plane->at);
+    const double period = period_of(plane, domain);
+    return period > 0.0 ? fmin(way, period - way) : way;
 }
 
-/** Rounding of ways to a plane, generously [m]. */
-static double rounding_of(const clod_plane *plane, const clod_domain *domain)
+static bool is_odd(double level)
 {
-    const int a = plane->axis;
-    return ROUNDING * (fabs(plane->at) + fabs(domain->min[a]) + fabs(domain->max[a]));
+    const double half = 0.5 * level;
+    return half != floor(half);
 }
 
-/** @return  m, the least way to the plane that is left */
-static double count_one(clod_passed *passed, const clod_plane *plane, const clod_domain *domain,
-                        const double (*before)[4], const clod_grains *grains, size_t first,
-                        size_t rows)
+/** What there is to know of rows and a plane now. */
+static clod_passage look(const clod_plane *plane, const clod_state *state, size_t first,
+                         size_t rows)
 {
     const int a = plane->axis;
-    double least = HUGE_VAL;
+    const clod_domain *domain = &state->domain;
+    clod_passage seen = {.way = HUGE_VAL};
     for (size_t k = 0; k < rows; k++) {
-        const double *to = grains->position[first + k];
-        least = fmin(least, way_to(plane, domain, to[a]));
-        const double passages = clod_plane_level(plane, domain, to[a]) -
-                                clod_plane_level(plane, domain, before[k][a]);
-        const double times = fabs(passages);
-        if (!(times > 0.0 && times < MANY) || !passes_within(plane, domain, before[k], to)) {
+        const double x = state->grains.position[first + k][a];
+        const uint64_t odd = is_odd(clod_plane_level(plane, domain, x));
+        seen.way = fmin(seen.way, way_to(plane, domain, x));
+        seen.odd |= odd << k;
+    }
+    seen.way -= ROUNDING * (fabs(plane->at) + fabs(domain->min[a]) + fabs(domain->max[a]));
+    return seen;
+}
+
+void clod_passages_note(clod_passage *seen, const clod_state *state, size_t first, size_t rows)
+{
+    for (int32_t p = 0; p < state->planes.count; p++) {
+        seen[p] = look(&state->planes.plane[p], state, first, rows);
+    }
+}
+
+/** Whether a grain that has just passed a plane did so within its region. */
+static bool passed_within(const clod_plane *plane, const clod_state *state, size_t row)
+{
+    const int axis = plane->axis;
+    const clod_domain *domain = &state->domain;
+    const double *at = state->grains.position[row], *v = state->grains.velocity[row];
+    double beyond = clod_domain_within(domain, axis, at[axis]) - plane->at;
+    beyond = v[axis] > 0.0 ? beyond : -beyond;
+    if (beyond < 0.0) { // the nearest image that is behind
+        beyond += period_of(plane, domain);
+    }
+    const double since = fmin(beyond / fabs(v[axis]), state->dt); // s, for which it is beyond
+    double point[3];
+    for (int a = 0; a < 3; a++) {
+        point[a] = a == axis ? plane->at : clod_domain_within(domain, a, at[a] - since * v[a]);
+    }
+    return clod_outlet_has(&plane->region, point);
+}
+
+/** Rows of a look that have passed the plane, as bits. */
+static void count_rows(clod_passed *passed, const clod_plane *plane, const clod_state *state,
+                       uint64_t changed, size_t first)
+{
+    const double(*velocity)[4] = (const double(*)[4])state->grains.velocity;
+    for (size_t g = first; changed != 0; changed >>= 1, g++) {
+        if ((changed & 1) == 0 || !passed_within(plane, state, g)) {
             continue;
         }
-        const int way = passages * plane->sign > 0.0 ? CLOD_PASSED_FORWARD : CLOD_PASSED_BACK;
-        passed->grains[way] += (int64_t)times;
-        clod_exact_add(&passed->mass[way], times * grains->velocity[first + k][3]);
+        const int way = velocity[g][plane->axis] * plane->sign > 0.0 ? CLOD_PASSED_FORWARD
+                                                                     : CLOD_PASSED_BACK;
+        passed->grains[way]++;
+        clod_exact_add(&passed->mass[way], velocity[g][3]);
     }
-    return least - rounding_of(plane, domain);
 }
 
-double clod_passages_count(clod_passed *passed, const clod_state *state,
-                           const double (*before)[4], size_t first, size_t rows)
+void clod_passages_count(clod_passed *passed, clod_passage *seen, const clod_state *state,
+                         double speed, size_t first, size_t rows)
 {
-    double least = HUGE_VAL;
+    // rounding makes no way longer than twice what it should be: it has whole last digits
+    const double most = 2.0 * speed * state->dt;
     for (int32_t p = 0; p < state->planes.count; p++) {
-        const double way = count_one(&passed[p], &state->planes.plane[p], &state->domain,
-                                     before, &state->grains, first, rows);
-        least = fmin(least, way);
+        seen[p].way -= most;
+        if (seen[p].way > 0.0) {
+            continue;
+        }
+        const clod_plane *plane = &state->planes.plane[p];
+        const clod_passage now = look(plane, state, first, rows);
+        count_rows(&passed[p], plane, state, now.odd ^ seen[p].odd, first);
+        seen[p] = now;
     }
-    return least;
 }
 
 void clod_passages_merge(clod_passed *into, const clod_passed *from, int32_t count)
