@@ -259,5 +259,22 @@ class Planes(clod.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
 
 
+    def test_a_plane_behind_the_border_of_an_outlet(self):
+        """It is warned of; on the border and beside the outlet it is not."""
+        warning = ("case.yaml:25:5: gauges.mouth.plane: lies within outlets.bin, which removes grains at the next "
+                   "neighbour list")
+        beside = STREAM.replace("bin: {region: {box: {min: [-0.1 m, -0.1 m, -0.3 m]",
+                                "bin: {region: {box: {min: [-0.1 m, 0.05 m, -0.3 m]")
+        narrow = beside.replace("max: [0.1 m, 0.1 m, -0.24 m]", "max: [0.1 m, 0.05 m, -0.24 m]").replace(
+            "min: [-0.1 m, -0.1 m, -0.25 m]", "min: [-0.1 m, -0.1 m, -0.27 m]")
+        for text, at, warns in ((STREAM, "-0.25 m", False), (STREAM, "-0.2501 m", True),
+                                (STREAM, "-0.24 m", False), (narrow, "-0.26 m", False)):
+            self.write(text.replace("min: [-0.1 m, -0.1 m, -0.25 m]", "min: [-0.1 m, -0.1 m, -0.27 m]").replace(
+                "plane: {at: -0.25 m}", f"plane: {{at: {at}}}"))
+            done = clod.run("check", "case.yaml", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(warning in done.stdout + done.stderr, warns, (at, done.stdout, done.stderr))
+
+
 if __name__ == "__main__":
     clod.main()
