@@ -4,7 +4,8 @@
  * at the end, as one line of JSON.
  *
  *   bench_step PACKING.csv PACKING.box [--law NAME] [--steps N] [--warm N] [--threads N]
- *              [--simd SET] [--ledger] [--stages] [--peak] [--checkpoint FOLDER]
+ *              [--simd SET] [--ledger] [--planes N] [--stages] [--peak]
+ *              [--checkpoint FOLDER]
  *   bench_step --version
  *
  * Under mpirun all ranks step the bed. Then the most memory of each phase is told: dealing the bed,
@@ -14,7 +15,8 @@
  *
  * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
  * `steps` after `warm` steps. --stages says what thread 0 spends in each stage, waiting for the
- * others included; not under mpirun. --peak makes all lists anew in one more step, and before that, in
+ * others included; not under mpirun. --planes has N counting planes across the bed, along x, y and z by
+ * turns. --peak makes all lists anew in one more step, and before that, in
  * one process, the near list in another, behind the clock: the most memory that a run takes while it
  * steps. --checkpoint writes CHECKPOINTS of them into the folder after that, as a run does, and tells
  * the memory and the time of the last.
@@ -23,6 +25,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/clock.h"
 #include "base/memory.h"
@@ -43,6 +46,7 @@ typedef struct options {
     int64_t steps, warm; ///< warm < 0: a tenth of the steps, and one
     clod_step_options step;
     bool ledger, stages, peak;
+    int32_t planes;
 } options;
 
 typedef struct measured {
@@ -63,6 +67,7 @@ static const struct option OPTIONS[] = {
     {"threads", required_argument, NULL, 't'},
     {"simd", required_argument, NULL, 'i'},
     {"ledger", no_argument, NULL, 'e'},
+    {"planes", required_argument, NULL, 'n'},
     {"stages", no_argument, NULL, 'g'},
     {"peak", no_argument, NULL, 'p'},
     {"version", no_argument, NULL, 'v'},
@@ -110,6 +115,9 @@ static options read_options(int argc, char **argv)
         case 'e':
             o.ledger = true;
             break;
+        case 'n':
+            o.planes = (int32_t)number(optarg, 0);
+            break;
         case 'g':
             o.stages = true;
             break;
@@ -126,13 +134,29 @@ static options read_options(int argc, char **argv)
             exit(2);
         }
     }
-    if (argc - optind != 2) {
+    if (argc - optind != 2 || o.planes > CLOD_PLANES) {
         give_up("usage: bench_step PACKING.csv PACKING.box [options], see bench/bench_step.c");
     }
     o.csv = argv[optind];
     o.box = argv[optind + 1];
     o.warm = o.warm < 0 ? o.steps / 10 + 1 : o.warm;
     return o;
+}
+
+/** Planes at even distances across the whole bed. */
+static void add_planes(clod_state *state, int32_t count)
+{
+    const clod_domain *domain = &state->domain;
+    state->planes.count = count;
+    for (int32_t p = 0; p < count; p++) {
+        clod_plane *plane = &state->planes.plane[p];
+        const int axis = (int)(p % 3);
+        const double share = (p + 0.5) / count;
+        *plane = (clod_plane){.axis = axis, .sign = 1};
+        memcpy(plane->region.low, domain->min, sizeof domain->min);
+        memcpy(plane->region.high, domain->max, sizeof domain->max);
+        plane->at = domain->min[axis] + share * (domain->max[axis] - domain->min[axis]);
+    }
 }
 
 /** One step in which the near list is made anew, as if a wall had gone too far. */
@@ -329,6 +353,7 @@ int main(int argc, char **argv)
         give_up(status.text);
     }
     state.dt = TIME_STEP;
+    add_planes(&state, o.planes);
     const clod_laws laws = {.materials = 1, .count = 1, .law = &law};
     if (!clod_step_init(&step, &state, &laws, &o.step, &status)) {
         give_up(status.text);

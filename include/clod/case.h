@@ -95,6 +95,8 @@ typedef struct clod_case_gauge {
     clod_case_blocked blocked;
     int64_t profile_bins;    ///< across; 0: no profile
     int64_t trajectory_bins; ///< along `direction`; 0: no trajectory
+    bool has_plane;
+    double plane_at; ///< m, along the axis nearest to `direction`: what passes it is counted
 } clod_case_gauge;
 
 /** Most gauges. */

@@ -59,6 +59,46 @@ static void check_directions(clod_loader *loader, const clod_case *self,
     }
 }
 
+/** Axis of space that is nearest to a direction; setup takes the same. */
+static int nearest_axis(const double n[3])
+{
+    int axis = fabs(n[1]) > fabs(n[0]) ? 1 : 0;
+    return fabs(n[2]) > fabs(n[axis]) ? 2 : axis;
+}
+
+static void check_plane(clod_loader *loader, const clod_case *self,
+                        const clod_case_gauge *gauge)
+{
+    if (!gauge->has_plane) {
+        return;
+    }
+    if (!is_given(gauge->direction)) {
+        fail(loader, gauge, "plane",
+             "needs the direction in which grains pass it forward, for instance "
+             "direction: [1, 0, 0]");
+        return;
+    }
+    const int a = nearest_axis(gauge->direction);
+    const double at = gauge->plane_at;
+    double low[3], high[3];
+    char text[320];
+    clod_region_bounds(&gauge->region, low, high);
+    if (at < low[a] || at > high[a]) {
+        snprintf(
+            text, sizeof text,
+            "is outside of the region: along %c, the axis nearest to direction, that "
+            "reaches from %.9g m to %.9g m; put the plane there, or make the region larger",
+            "xyz"[a], low[a], high[a]);
+        fail(loader, gauge, "plane.at", text);
+    } else if (self->has_domain && (at < self->domain_min[a] || at > self->domain_max[a])) {
+        snprintf(text, sizeof text,
+                 "is outside of the domain, so no grain passes it: along %c, the axis nearest "
+                 "to direction, the domain reaches from %.9g m to %.9g m",
+                 "xyz"[a], self -> domain_min[a], self -> domain_max[a]);
+        fail(loader, gauge, "plane.at", text);
+    }
+}
+
 static void check_belt(clod_loader *loader, const clod_case *self, const clod_case_gauge *gauge)
 {
     if (gauge->belt == NULL) {
@@ -100,6 +140,7 @@ void clod_check_gauges(clod_loader *loader, const clod_case *self)
         if (clod_report_clean(loader->report, path)) {
             clod_check_region(loader, path, &gauge->region);
             check_directions(loader, self, gauge);
+            check_plane(loader, self, gauge);
             check_belt(loader, self, gauge);
         }
     }

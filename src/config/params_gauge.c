@@ -58,6 +58,23 @@ static const clod_param TRAJECTORY[] = {
 static const clod_table TRAJECTORY_TABLE = {.title = "Path of the stream.",
                                             CLOD_ROWS(TRAJECTORY)};
 
+static const clod_param PLANE[] = {
+    {.key = "at",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_FROM(-1e6, 1e6),
+     .example = "1.05 m",
+     CLOD_AT(G, plane_at),
+     .help = "Place of the plane along the axis of space that is nearest to direction; within "
+             "the region.",
+     .source = "docs/gauges.md"},
+};
+static const clod_table PLANE_TABLE = {
+    .title = "A plane through the region, at right angles to the axis of space that is nearest "
+             "to direction.",
+    CLOD_ROWS(PLANE)};
+
 static bool is_given(const double v[3])
 {
     return v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0;
@@ -136,6 +153,15 @@ static const clod_param GAUGE[] = {
      .table = &BLOCKED_TABLE,
      .given = offsetof(G, has_blocked),
      .help = "When the gauge counts as blocked.",
+     .source = "docs/gauges.md"},
+    {.key = "plane",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &PLANE_TABLE,
+     .given = offsetof(G, has_plane),
+     .help =
+         "Count each grain whose centre passes a plane within the region, forward and back: "
+         "mass flow through it, exactly. Needs direction.",
      .source = "docs/gauges.md"},
     {.key = "profile",
      .kind = CLOD_PARAM_SECTION,

@@ -151,6 +151,9 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
     state->contacts = NULL;
     state->grains.count = 0;
     state->contact_count = state->contact_capacity = state->wall_contact_count = 0;
+    state->planes = (clod_planes){0};
+    const size_t planes = clod_hdf_rows(hdf, CLOD_CHECKPOINT_PLANES);
+    state->planes.count = (int32_t)(planes < CLOD_PLANES ? planes : CLOD_PLANES);
     if (clod_hdf_rows(hdf, "walls/build_angle") > 0) { // without grains: no rows
         state->build_walls =
             clod_memory_alloc((size_t)state->walls.count, sizeof *state->build_walls);

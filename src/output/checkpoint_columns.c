@@ -121,6 +121,30 @@ static void add_build(clod_checkpoint_columns *self, const clod_state *state)
     }
 }
 
+/** Planes and what has passed them; the state says how many there are. */
+static void add_planes(clod_checkpoint_columns *self, const clod_state *state)
+{
+    const clod_planes *planes = &state->planes;
+    const size_t n = (size_t)planes->count;
+    const clod_rows plane = {planes->plane, n, sizeof *planes->plane};
+    const clod_rows passed = {planes->passed, n, sizeof *planes->passed};
+    if (n == 0) { // most runs have none
+        return;
+    }
+    add(self, plane, offsetof(clod_plane, region), CLOD_CHECKPOINT_PLANES, "m", CLOD_HDF_F64,
+        CLOD_OUTLET_NUMBERS);
+    add(self, plane, offsetof(clod_plane, at), "planes/at", "m", CLOD_HDF_F64, 1);
+    add(self, plane, offsetof(clod_plane, axis), "planes/axis", "1", CLOD_HDF_I32, 1);
+    add(self, plane, offsetof(clod_plane, sign), "planes/sign", "1", CLOD_HDF_I32, 1);
+    add(self, passed, offsetof(clod_passed, grains), "planes/grains", "1", CLOD_HDF_I64,
+        CLOD_PASSED_WAYS);
+    // settled: the rest of an exact sum is zero
+    add(self, passed, offsetof(clod_passed, mass[CLOD_PASSED_FORWARD].chunk),
+        "planes/mass_forward", "1", CLOD_HDF_I64, CLOD_EXACT_CHUNKS);
+    add(self, passed, offsetof(clod_passed, mass[CLOD_PASSED_BACK].chunk), "planes/mass_back",
+        "1", CLOD_HDF_I64, CLOD_EXACT_CHUNKS);
+}
+
 void clod_checkpoint_columns_of_walls(clod_checkpoint_columns *self, const clod_wall *walls,
                                       size_t rows)
 {
@@ -218,6 +242,7 @@ void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_stat
     self->count = 0;
     add_state(self, state);
     add_build(self, state);
+    add_planes(self, state);
 }
 
 void clod_checkpoint_columns_of_contacts(clod_checkpoint_columns *self,

@@ -10,6 +10,9 @@
 
 #define CLOD_CHECKPOINT_COLUMNS 80
 
+/** A column with a row for each plane; there is none without planes. */
+#define CLOD_CHECKPOINT_PLANES "planes/region"
+
 typedef struct clod_checkpoint_columns {
     clod_hdf_column column[CLOD_CHECKPOINT_COLUMNS];
     size_t count;
@@ -20,7 +23,7 @@ typedef struct clod_checkpoint_columns {
  * List every column of the state but those of its grains, contacts, walls and their shapes.
  *
  * The pointers are borrowed from the state: list again when its arrays have moved. Arrays that
- * the state does not have or that have no rows (build_walls) are not listed.
+ * the state does not have or that have no rows (build_walls, planes) are not listed.
  */
 void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state);
 

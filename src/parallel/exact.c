@@ -68,6 +68,11 @@ void clod_exact_merge(clod_exact *self, const clod_exact *other)
     self->minus_infinity = self->minus_infinity || more.minus_infinity;
 }
 
+void clod_exact_settle(clod_exact *self)
+{
+    propagate(self);
+}
+
 static int64_t chunk_at(const clod_exact *self, int k)
 {
     return k < 0 ? 0 : self->chunk[k];

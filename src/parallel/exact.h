@@ -32,5 +32,8 @@ void clod_exact_add(clod_exact *self, double number);
 /** Add another sum. */
 void clod_exact_merge(clod_exact *self, const clod_exact *other);
 
+/** Bring a sum into the one form that every equal sum has: its bytes can be compared and kept. */
+void clod_exact_settle(clod_exact *self);
+
 /** The sum, rounded to the nearest double, ties to even; +0 when it is zero. */
 double clod_exact_value(const clod_exact *self);

@@ -157,9 +157,19 @@ static size_t put_measures(FILE *out, const json_t *summary)
                                          NULL,
                                          NULL,
                                          false};
+    static const clod_result_row THROUGH = {"flow_through_kg_per_s",
+                                            "flow through the plane, mean and deviation",
+                                            "",
+                                            "kg/s",
+                                            1.0,
+                                            CLOD_ROUNDED_SHORT,
+                                            NULL,
+                                            NULL,
+                                            false};
     return put_measure(out, json_object_get(summary, "repose"), &ANGLE) +
            put_measure(out, json_object_get(summary, "mixing"), &LACEY) +
-           put_measure(out, json_object_get(summary, "gauges"), &FLOW);
+           put_measure(out, json_object_get(summary, "gauges"), &FLOW) +
+           put_measure(out, json_object_get(summary, "gauges"), &THROUGH);
 }
 
 void clod_cards_free(FILE *out, const clod_run_files *run)

@@ -30,6 +30,8 @@ static const struct {
     {"repose", "angle_deg", "error_deg", "angle of repose", "deg", "_deg"},
     {"mixing", "lacey", NULL, "mixing index (Lacey)", "", ""},
     {"gauges", "mass_flow_kg_per_s", NULL, "mass flow", "kg/s", "_kg_per_s"},
+    {"gauges", "flow_through_kg_per_s", NULL, "flow through the plane", "kg/s",
+     "_through_kg_per_s"},
 };
 #define MEASURE_COUNT (sizeof MEASURES / sizeof *MEASURES)
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "config/region.h"
+#include "setup/planes.h"
 
 /** Half extent of a shape along x, y or z, about the middle of it [m]. */
 static double half_extent(const clod_shape *shape, int axis)
@@ -126,6 +127,7 @@ void clod_setup_domain_around(const clod_case *from, const double low[3], const 
 {
     find_space(from, low, high, state);
     make_outlets(from, &state->domain);
+    clod_setup_planes(from, state);
 }
 
 void clod_setup_domain(const clod_case *from, clod_state *state)

@@ -25,7 +25,7 @@ bool clod_setup_bounds(const clod_state *state, double low[3], double high[3]);
 
 /**
  * The case's domain, or one around grains and walls with their largest extent added on every
- * side.
+ * side; with its outlets and planes.
  */
 void clod_setup_domain(const clod_case *from, clod_state *state);
 

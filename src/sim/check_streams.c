@@ -11,6 +11,7 @@
 #include "setup/domain.h"
 #include "setup/flush_walls.h"
 #include "setup/grains.h"
+#include "setup/planes.h"
 #include "setup/region_walls.h"
 #include "setup/walls.h"
 #include "sim/check_testers.h"
@@ -133,6 +134,43 @@ static void warn_outlets(const clod_check_subject *subject, clod_check_report *r
     }
 }
 
+/** Whether a plane has a place within an outlet, behind its border. */
+static bool is_inside(const clod_plane *plane, const clod_case_region *region)
+{
+    double low[3], high[3];
+    clod_region_bounds(region, low, high);
+    bool inside = true;
+    for (int a = 0; a < 3; a++) {
+        const bool along = a == plane->axis;
+        inside = inside && (along ? plane->at : plane->region.high[a]) > low[a] &&
+                 (along ? plane->at : plane->region.low[a]) < high[a];
+    }
+    return inside;
+}
+
+/** A plane behind the border of an outlet, which removes grains now and then. */
+static void warn_planes(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case *from = subject->from;
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        const int number = clod_setup_planes_number(from, &from->gauges[k]);
+        for (size_t o = 0; number >= 0 && o < from->outlet_count; o++) {
+            const clod_case_outlet *outlet = &from->outlets[o];
+            if (outlet->has_region &&
+                is_inside(&subject->state.planes.plane[number], &outlet->region)) {
+                clod_status said;
+                clod_status_fail(
+                    &said, CLOD_USAGE,
+                    "gauges.%s.plane: lies within outlets.%s, which removes grains "
+                    "at the next neighbour list: some pass the plane before, some "
+                    "do not. Put it on the border of the outlet or before it",
+                    from->gauges[k].name, outlet->name);
+                warn_at(from, r, &said);
+            }
+        }
+    }
+}
+
 /** A region that has none of the domain's grains; `path` is that of what has it. */
 static void warn_outside(const clod_case *from, clod_check_report *r, const char *path,
                          const clod_case_region *region)
@@ -222,6 +260,7 @@ void clod_check_streams_warn(const clod_check_subject *subject, clod_check_repor
     warn_back(subject, r);
     warn_due(subject, r);
     warn_outlets(subject, r);
+    warn_planes(subject, r);
     warn_walls(subject, r);
     if (subject->from->has_domain) {
         warn_regions(subject, r);

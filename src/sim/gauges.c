@@ -5,6 +5,7 @@
 
 #include "measure/gauge_pass.h"
 #include "setup/domain.h"
+#include "sim/gauges_plane.h"
 #include "sim/outputs.h"
 
 clod_gauge clod_gauges_make(const clod_case *from, const clod_case_gauge *gauge)
@@ -50,15 +51,19 @@ static void gauges_begin(void *memory, const clod_case *from, const clod_state *
         self->gauge[k].work.since = state->time;
         self->gauge[k].alarm = (clod_gauge_alarm){.slow_since = -1, .first = -1};
     }
+    clod_gauges_plane_begin(self, from, state);
 }
 
 static int64_t gauges_plan(const void *memory, const clod_case *from, const clod_state *state,
                            const clod_steady_time *steady)
 {
-    (void)steady;
     const clod_gauges *self = memory;
-    return from->gauge_count > 0 && self->next > state->step ? self->next - state->step
-                                                             : INT64_MAX;
+    if (from->gauge_count == 0) {
+        return INT64_MAX;
+    }
+    const int64_t edge = clod_gauges_plane_plan(self, from, state, steady);
+    const int64_t sample = self->next > state->step ? self->next - state->step : INT64_MAX;
+    return edge < sample ? edge : sample;
 }
 
 // ---- one sample
@@ -135,7 +140,11 @@ static bool gauges_act(void *memory, const clod_free_moment *now, clod_status *s
     clod_gauges *self = memory;
     const clod_case *from = now->from;
     const clod_state *state = now->state;
-    if (from->gauge_count == 0 || state->step != self->next) {
+    if (from->gauge_count == 0) {
+        return true;
+    }
+    clod_gauges_plane_note(self, now);
+    if (state->step != self->next) {
         return true;
     }
     self->next = clod_outputs_next(CLOD_GAUGES_INTERVAL, state->dt, state->step);
@@ -164,7 +173,11 @@ static bool gauges_sample(void *memory, const clod_free_moment *now, clod_status
     clod_gauges *self = memory;
     const clod_case *from = now->from;
     double sums[CLOD_CASE_GAUGES][CLOD_GAUGE_SUMS];
-    if (from->gauge_count == 0 || self->gauge[0].row[CLOD_GAUGE_SAMPLES] > 0.0) {
+    if (from->gauge_count == 0) {
+        return true;
+    }
+    clod_gauges_plane_note(self, now); // the end of the run is seen here: after it nothing acts
+    if (self->gauge[0].row[CLOD_GAUGE_SAMPLES] > 0.0) {
         return true; // all are sampled together
     }
     if (!sample(self, now, false, sums, status)) {
@@ -200,7 +213,7 @@ static size_t columns_of(const clod_case *from, const clod_case_gauge *gauge)
     for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
         count += clod_gauges_has(from, gauge, v);
     }
-    return count;
+    return count + (gauge->has_plane ? CLOD_GAUGES_PLANE_COLUMNS : 0);
 }
 
 static size_t gauges_columns(const clod_case *from, const clod_state *state)
@@ -220,6 +233,12 @@ static void gauges_column(const clod_case *from, const clod_state *state, size_t
     const clod_case_gauge *gauge = from->gauges;
     for (size_t columns; k >= (columns = columns_of(from, gauge)); gauge++) {
         k -= columns;
+    }
+    const size_t planes = gauge->has_plane ? CLOD_GAUGES_PLANE_COLUMNS : 0;
+    const size_t first = columns_of(from, gauge) - planes; // of the plane
+    if (k >= first) {
+        snprintf(text, size, "gauge_%s.%s", gauge->name, clod_gauges_plane_column(k - first));
+        return;
     }
     int value = 0;
     for (; !clod_gauges_has(from, gauge, value) || k > 0; value++) {
@@ -266,6 +285,10 @@ static void gauges_row(void *memory, const clod_free_moment *now, double *row)
             if (clod_gauges_has(from, &from->gauges[k], v)) {
                 *row++ = values[v];
             }
+        }
+        if (from->gauges[k].has_plane) {
+            clod_gauges_plane_row(self, now, k, row);
+            row += CLOD_GAUGES_PLANE_COLUMNS;
         }
     }
 }

@@ -23,6 +23,12 @@ typedef struct clod_gauge_alarm {
     double mass, speed; ///< kg, m/s: inside at the last sample
 } clod_gauge_alarm;
 
+/** Mass that had passed the plane of a gauge at a moment; plain data. */
+typedef struct clod_gauge_passed {
+    double time;          ///< s
+    double forward, back; ///< kg, since the beginning
+} clod_gauge_passed;
+
 /** What one gauge remembers; plain data. */
 typedef struct clod_gauge_memory {
     double row[CLOD_GAUGE_SUMS]; ///< since the last row of the series
@@ -30,11 +36,14 @@ typedef struct clod_gauge_memory {
     clod_belt_work work; ///< of the belt
     clod_gauge_alarm alarm;
     clod_gauge_bins profile, trajectory; ///< of the steady time
+    clod_gauge_passed passed_row;        ///< at the last row of the series, or the beginning
+    clod_gauge_passed passed_edge[CLOD_STEADY_BLOCKS + 1]; ///< at the edges of blocks
 } clod_gauge_memory;
 
 /** All gauges of a case. */
 typedef struct clod_gauges {
-    int64_t next; ///< step of the next sample
+    int64_t next;  ///< step of the next sample
+    int64_t edges; ///< edges of blocks that have been noted, with planes
     clod_gauge_memory gauge[];
 } clod_gauges;
 

@@ -6,7 +6,7 @@
 
 #include "base/json.h"
 #include "base/plural.h"
-#include "sim/gauges.h"
+#include "sim/gauges_plane.h"
 
 #define DEGREE (180.0 / M_PI)
 
@@ -180,6 +180,7 @@ void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *n
             fprintf(out, "  gauge %-15s no means: the run ended before %.6g s\n", mine->name,
                     now->steady.since);
         }
+        clod_gauges_plane_report(out, all, now, k);
         report_alarm(out, &all->gauge[k].alarm, now->state->dt);
     }
 }
@@ -275,6 +276,7 @@ void clod_gauges_paths(const clod_case *from, const clod_state *state, clod_free
                                 "landing.along_m_per_s landing.into_m_per_s "
                                 "landing.along_less_belt_m_per_s");
         }
+        clod_gauges_plane_paths(mine, paths);
         bin_paths(mine, "profile", mine->profile_bins, paths);
         if (mine->profile_bins > 0) {
             clod_free_paths_add(paths, mine->name,
@@ -310,6 +312,7 @@ json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
         if (mine->belt != NULL) {
             put_landing(one, &gauge, &found);
         }
+        clod_gauges_plane_json(one, all, now, k);
         put_bins(one, mine, &gauge, &all->gauge[k]);
         if (mine->has_blocked) {
             put_alarm(one, &all->gauge[k].alarm, now->state->dt);

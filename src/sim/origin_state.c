@@ -7,6 +7,7 @@
 #include "law/law.h"
 #include "output/checkpoint.h"
 #include "setup/domain.h"
+#include "setup/planes.h"
 #include "setup/state.h"
 #include "setup/walls.h"
 #include "sim/origin.h"
@@ -388,6 +389,7 @@ static bool move_all(moving *self, clod_status *status)
     state->grains = self->other.grains;
     if (self->origin->same_domain && (self->from->has_domain || self->same_walls)) {
         state->domain = self->other.domain;
+        clod_setup_planes(self->from, state);
     } else {
         clod_setup_domain(self->from, state);
     }

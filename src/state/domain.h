@@ -57,16 +57,30 @@ static inline int clod_domain_outlet(const clod_domain *self, const double p[3])
     return -1;
 }
 
+/** A position along one axis [m], in a periodic direction that within [min, max), and the number of
+ *  periods it is away from there. Threads: pure. */
+static inline double clod_domain_unwind(const clod_domain *self, int axis, double at,
+                                        double *turns)
+{
+    const double low = self->min[axis], high = self->max[axis], period = high - low;
+    *turns = 0.0;
+    if (!self->periodic[axis] || (at >= low && at < high)) {
+        return at;
+    }
+    *turns = floor((at - low) / period);
+    const double within = at - period * *turns;
+    if (within >= high) { // by rounding alone: it is at the beginning of the next period
+        *turns += 1.0;
+    }
+    return within >= low && within < high ? within : low;
+}
+
 /** A position along one axis [m], in a periodic direction that within [min, max): grains are a
  *  little outside until the neighbour list is next made. Threads: pure. */
 static inline double clod_domain_within(const clod_domain *self, int axis, double at)
 {
-    const double low = self->min[axis], high = self->max[axis], period = high - low;
-    if (!self->periodic[axis] || (at >= low && at < high)) {
-        return at;
-    }
-    const double within = at - period * floor((at - low) / period);
-    return within >= low && within < high ? within : low; // a rounding is none
+    double turns;
+    return clod_domain_unwind(self, axis, at, &turns);
 }
 
 /** Where a grain is in the domain: what asks whether it is in a region asks with this.

@@ -12,6 +12,7 @@
 #include "state/gone.h"
 #include "state/grains.h"
 #include "state/ledger.h"
+#include "state/planes.h"
 #include "state/walls.h"
 
 typedef struct clod_state {
@@ -27,6 +28,7 @@ typedef struct clod_state {
     clod_exchange exchange; ///< grains that have come and gone
     clod_changes changes;   ///< asked for, not made yet: none at a checkpoint or in a copy
     clod_gone gone;         ///< grains that left, when somebody wants them one by one
+    clod_planes planes;     ///< what has passed them
     // the neighbour search at its last rebuild; decides when the grains are sorted next
     double (*build_position)[4]; ///< [build_capacity] at the last rebuild, in today's order
     size_t build_capacity;       ///< that of the grains when the array was made: they may grow

@@ -161,7 +161,8 @@ static bool deal(clod_crew *self, const clod_crew_order *what, clod_status *stat
 bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     if (!make_part(self, what, status) ||
-        !clod_spread_init(&self->spread, self->ranks, self->state.walls.count, status)) {
+        !clod_spread_init(&self->spread, self->ranks, self->state.walls.count, status) ||
+        !clod_ranks_reserve(self->ranks, sizeof self->state.planes.passed, status)) {
         return false;
     }
     self->spread.balance.options = what->balance;

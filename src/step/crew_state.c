@@ -16,6 +16,7 @@ typedef struct numbers {
     clod_ledger ledger;
     clod_exchange exchange;
     bool keeps_gone;
+    int32_t planes; ///< they follow
 } numbers;
 
 static void get_numbers(numbers *to, const clod_state *from)
@@ -29,7 +30,8 @@ static void get_numbers(numbers *to, const clod_state *from)
                     .step = from->step,
                     .ledger = from->ledger,
                     .exchange = from->exchange,
-                    .keeps_gone = from->gone.kept};
+                    .keeps_gone = from->gone.kept,
+                    .planes = from->planes.count};
     memcpy(to->gravity, from->gravity, sizeof to->gravity);
 }
 
@@ -45,7 +47,18 @@ static void put_numbers(clod_state *to, const numbers *from)
     to->ledger = from->ledger;
     to->exchange = from->exchange;
     to->gone.kept = from->keeps_gone;
+    to->planes.count = from->planes;
     memcpy(to->gravity, from->gravity, sizeof to->gravity);
+}
+
+static size_t plane_bytes(const numbers *n)
+{
+    return (size_t)n->planes * sizeof(clod_plane);
+}
+
+static size_t passed_bytes(const numbers *n)
+{
+    return (size_t)n->planes * sizeof(clod_passed);
 }
 
 /** A wall as another one is, but for what it owns. */
@@ -62,6 +75,8 @@ void clod_crew_state_copy(clod_state *to, const clod_state *from)
     numbers n;
     get_numbers(&n, from);
     put_numbers(to, &n);
+    memcpy(to->planes.plane, from->planes.plane, plane_bytes(&n));
+    memcpy(to->planes.passed, from->planes.passed, passed_bytes(&n));
     for (int32_t w = 0; w < to->walls.count; w++) {
         clod_wall *wall = &to->walls.wall[w];
         const clod_wall *other = &from->walls.wall[w];
@@ -105,6 +120,10 @@ void clod_crew_state_tell(clod_ranks *ranks, clod_state *state)
     get_numbers(&n, state);
     clod_ranks_tell(ranks, &n, sizeof n);
     put_numbers(state, &n);
+    if (n.planes > 0) {
+        clod_ranks_tell(ranks, state->planes.plane, plane_bytes(&n));
+        clod_ranks_tell(ranks, state->planes.passed, passed_bytes(&n));
+    }
     for (int32_t w = 0; w < state->walls.count; w++) {
         clod_wall wall = state->walls.wall[w];
         clod_ranks_tell(ranks, &wall, sizeof wall);

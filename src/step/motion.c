@@ -5,6 +5,7 @@
 
 #include "parallel/threads.h"
 #include "step/near_skins.h"
+#include "step/passages.h"
 #include "step/spread.h"
 
 void clod_step_move_walls(clod_step *self)
@@ -55,12 +56,34 @@ static void watch_rows(clod_step *self, clod_step_thread *mine, clod_near_watch 
     }
     const clod_near_seen seen =
         clod_near_look(&self->near, self->state, mine->age, rows.begin, rows.end);
-    *watch = (clod_near_watch){.left = seen.left, .fastest = seen.fastest};
+    *watch =
+        (clod_near_watch){.left = seen.left, .fastest = seen.fastest, .noted = watch->noted};
     if (mine->age > self->state->dt) { // after one step all grains are where they were expected
         mine->gone += seen.gone;
         mine->off_course += seen.off_course;
     }
     mine->used_up = mine->used_up || seen.left < 0.0;
+}
+
+/** Drift of the rows of a watch, where there are planes. */
+static clod_kernel_speed drift_past_planes(clod_step *self, const clod_step_thread *mine,
+                                           const double *gravity, size_t number,
+                                           clod_chunk rows)
+{
+    clod_grains *grains = &self->state->grains;
+    clod_near_watch *watch = &self->near.watch[number];
+    const size_t planes = (size_t)self->state->planes.count, count = rows.end - rows.begin;
+    clod_passage *seen = self->near.passage + number * planes;
+    if (!watch->noted) {
+        clod_passages_note(seen, self->state, rows.begin, count);
+        watch->noted = true;
+    }
+    const clod_kernel_speed some =
+        self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
+                            grains->load, gravity, self->state->dt, rows.begin, rows.end);
+    clod_passed *passed = self->passed + (size_t)(mine - self->thread) * planes;
+    clod_passages_count(passed, seen, self->state, sqrt(some.max_speed2), rows.begin, count);
+    return some;
 }
 
 /** Drift of rows, watch by watch; `cuts` of rows are before them. */
@@ -74,12 +97,16 @@ static clod_kernel_speed drift_rows(clod_step *self, clod_step_thread *mine, clo
     for (size_t begin = rows.begin; begin < rows.end; number++) {
         const size_t next = (number + 1) * CLOD_NEAR_WATCHED;
         const size_t end = next < rows.end ? next : rows.end;
+        const clod_chunk watched = {begin, end};
         const clod_kernel_speed some =
-            self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
-                                grains->load, gravity, self->state->dt, begin, end);
+            self->passed != NULL
+                ? drift_past_planes(self, mine, gravity, number + cuts, watched)
+                : self->kernel->drift(grains->position, grains->velocity,
+                                      grains->angular_velocity, grains->load, gravity,
+                                      self->state->dt, begin, end);
         seen.max_speed2 = fmax(seen.max_speed2, some.max_speed2);
         seen.finite = seen.finite && some.finite;
-        watch_rows(self, mine, &self->near.watch[number + cuts], (clod_chunk){begin, end},
+        watch_rows(self, mine, &self->near.watch[number + cuts], watched,
                    sqrt(some.max_speed2));
         begin = end;
     }

@@ -274,6 +274,9 @@ static bool reserve(const clod_near_job *job)
                          sizeof *self->course) &&
            clod_room_for(&self->watch, &self->watch_capacity, watches_of(job),
                          sizeof *self->watch) &&
+           clod_room_for(&self->passage, &self->passage_capacity,
+                         watches_of(job) * (size_t)job->state->planes.count,
+                         sizeof *self->passage) &&
            clod_room_for(&self->sum_start, &self->sum_start_capacity, walls + 1,
                          sizeof *self->sum_start) &&
            clod_room_for(&self->part_sum, &self->part_sum_capacity,
@@ -384,6 +387,7 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->origin);
     clod_memory_free(self->course);
     clod_memory_free(self->watch);
+    clod_memory_free(self->passage);
     clod_memory_free(self->weight);
     clod_memory_free(self->wall_sum);
     clod_memory_free(self->sum_start);

@@ -14,6 +14,7 @@
 
 #include "step/kernel.h"
 #include "step/neighbour.h"
+#include "step/passages.h"
 #include "step/touch_lists.h"
 
 typedef struct clod_near_blocks {
@@ -60,13 +61,15 @@ typedef struct clod_near_watch {
     double left;    ///< m, no more than the least that was left of a skin then
     double motion;  ///< m, no less than what a grain can have left its course by since
     double fastest; ///< m/s, of their courses
+    bool noted;     ///< what there is to know of planes, in `passage`
 } clod_near_watch;
 
 typedef struct clod_near {
     float (*origin)[3]; ///< [grains] m, where each was then, from its place at the last rebuild
     float (*course)[4]; ///< [grains] m/s, as each moved then; m, by which it may leave that
     clod_near_watch *watch; ///< [rows and cuts: clod_near_watches]
-    size_t origin_capacity, course_capacity, watch_capacity;
+    clod_passage *passage;  ///< [rows and cuts: clod_near_watches][planes]
+    size_t origin_capacity, course_capacity, watch_capacity, passage_capacity;
     bool follow;      ///< grains are expected to go on along their courses; else to stay
     double horizon;   ///< s, that the list holds at most when they are
     double rounding;  ///< m, no less than what the two above are wrong by

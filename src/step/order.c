@@ -64,10 +64,8 @@ bool clod_neighbour_wrap(const clod_neighbour *self, clod_state *state, size_t g
     for (size_t g = rows.begin; g < rows.end; g++) {
         for (int a = 0; a < 3 && !clod_neighbour_goes(self, going, g); a++) {
             double *x = &state->grains.position[g][a];
-            const double min = domain->min[a];
-            const double max = domain->max[a];
-            if (domain->periodic[a]) {
-                *x -= (max - min) * floor((*x - min) / (max - min));
+            if (isfinite(*x)) { // else it is told
+                *x = clod_domain_within(domain, a, *x);
             }
             inside &= is_inside(domain, a, *x);
         }

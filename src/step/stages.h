@@ -26,6 +26,7 @@ enum {
     CLOD_STAGE_TOUCH = 1 << 14,  ///< closest points of meshes
     CLOD_STAGE_RUB = 1 << 15,    ///< of each contact with a wall, with the sums of surfaces
     CLOD_STAGE_WEAR = 1 << 16,   ///< sums of each place of the walls
+    CLOD_STAGE_PASSED = 1 << 17, ///< what has passed planes
 };
 
 /** For these, those who need what others write wait at gates. */
@@ -36,7 +37,7 @@ enum {
     (CLOD_STAGE_FORCE | CLOD_STAGE_HISTORY | CLOD_STAGE_DISSIPATED | CLOD_STAGE_TOUCH)
 
 /** Of these, every thread writes its own; another stage reads those of all. */
-#define CLOD_STAGE_EACH (CLOD_STAGE_SEEN | CLOD_STAGE_EXCESS)
+#define CLOD_STAGE_EACH (CLOD_STAGE_SEEN | CLOD_STAGE_EXCESS | CLOD_STAGE_PASSED)
 
 /** Where all threads wait for each other. */
 typedef enum clod_stage_barrier {
@@ -61,7 +62,7 @@ typedef struct clod_stage {
 } clod_stage;
 
 #define CLOD_STAGES 12
-#define CLOD_LAST_STAGES 2
+#define CLOD_LAST_STAGES 3
 
 extern const clod_stage CLOD_STAGE[CLOD_STAGES];
 extern const clod_stage CLOD_LAST_STAGE[CLOD_LAST_STAGES]; ///< after the last step of a call

@@ -28,6 +28,7 @@
 #define EXCESS CLOD_STAGE_EXCESS
 #define RUB CLOD_STAGE_RUB
 #define WEAR CLOD_STAGE_WEAR
+#define PASSED CLOD_STAGE_PASSED
 #define ENDS (WALL_SUM | SUMS | EXCESS | WALLS | LEDGER) // with ranks: of the step before
 #define ROWS (POSITION | VELOCITY | FORCE | HISTORY)     // a rebuild puts them into a new order
 
@@ -87,7 +88,7 @@ static void merge_last(clod_step *self, int part)
 const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
     //name,       function,             reads,                                      writes,                                      by thread 0,                        barrier
-    {"drift",     clod_step_drift,     ROWS | LISTS | WALLS,                      POSITION | VELOCITY | FORCE | WALLS | SEEN, WALLS,                             CLOD_BARRIER_AFTER},
+    {"drift",     clod_step_drift,     ROWS | LISTS | WALLS,                      POSITION | VELOCITY | FORCE | WALLS | SEEN | PASSED, WALLS,                      CLOD_BARRIER_AFTER},
     {"ghosts",    clod_step_ghosts,    POSITION | VELOCITY | SEEN | LISTS | ENDS, POSITION | VELOCITY | FORCE | SEEN | ENDS,  POSITION | VELOCITY | SEEN | ENDS, CLOD_BARRIER_RANKS},
     {"place",     clod_step_place,     WALLS | LISTS,                             SURFACES,                                   0,                                 CLOD_BARRIER_NONE},
     {"near",      clod_step_near,      ROWS | WALLS | SEEN,                       ROWS | LISTS | SURFACES,                    0,                                 CLOD_BARRIER_WITHIN},
@@ -104,8 +105,9 @@ const clod_stage CLOD_STAGE[CLOD_STAGES] = {
 
 const clod_stage CLOD_LAST_STAGE[CLOD_LAST_STAGES] = {
     // clang-format off
-    {"settle",  clod_step_settle,  VELOCITY | FORCE | LISTS,               VELOCITY,                                   0,                     CLOD_BARRIER_RANKS},
-    {"merge",   merge_last,        ENDS,                                   ENDS,                                       ENDS,                  CLOD_BARRIER_NONE},
+    {"settle",   clod_step_settle,   VELOCITY | FORCE | LISTS,              VELOCITY,                                   0,                     CLOD_BARRIER_RANKS},
+    {"merge",    merge_last,         ENDS,                                  ENDS,                                       ENDS,                  CLOD_BARRIER_NONE},
+    {"passages", clod_step_passages, PASSED,                                PASSED,                                     PASSED,                CLOD_BARRIER_NONE},
     // clang-format on
 };
 
@@ -194,7 +196,12 @@ static bool allocate(clod_step *self)
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
     self->gate = clod_memory_alloc((size_t)self->threads, sizeof *self->gate);
     self->placed_gate = clod_memory_alloc((size_t)self->threads, sizeof *self->placed_gate);
-    if (self->thread == NULL || self->gate == NULL || self->placed_gate == NULL ||
+    const size_t planes = (size_t)self->state->planes.count;
+    if (planes > 0) {
+        self->passed = clod_memory_alloc((size_t)self->threads * planes, sizeof *self->passed);
+    }
+    if (self->thread == NULL || (planes > 0 && self->passed == NULL) || self->gate == NULL ||
+        self->placed_gate == NULL ||
         !clod_layer_order_reserve(&self->neighbour, self->near.parts)) {
         return false;
     }
@@ -326,6 +333,7 @@ void clod_step_fini(clod_step *self)
     clod_memory_free(self->thread);
     clod_memory_free(self->gate);
     clod_memory_free(self->placed_gate);
+    clod_memory_free(self->passed);
     clod_memory_free(self->moving);
     clod_memory_free(self->summed);
     clod_memory_free(self->placed);

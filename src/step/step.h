@@ -125,6 +125,7 @@ typedef struct clod_step {
     uint8_t *is_near;           ///< scratch [shapes]: whether grains are near
     bool walls_finite;          ///< forces on walls in the last step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
+    clod_passed *passed; ///< [threads][planes] since the state has it; NULL: there are no planes
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken
     int64_t steps; ///< that the advance going on is to make
@@ -357,6 +358,11 @@ void clod_step_dissipate(clod_step *self, int part);
 void clod_step_wear(clod_step *self, int thread);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
+
+// ---- after the last one of a call
+
+/** What has passed planes, onto the state. */
+void clod_step_passages(clod_step *self, int part);
 
 // ---- what stages of thread 0 do; where grains are spread over ranks, all of it in stage ghosts
 

@@ -26,6 +26,7 @@ gauges:
     region: {box: {min: [0 mm, 0 mm, 0 mm], max: [60 mm, 60 mm, 40 mm]}}
     direction: [0, 0, -2]
     across: [0, 1, 0]
+    plane: {at: 20 mm}
     profile: {bins: 3}
     trajectory: {bins: 2}
     blocked: {mass_above: 1 g, speed_below: 1 mm/s, for: 0.05 s}

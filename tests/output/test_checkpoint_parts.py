@@ -30,7 +30,7 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
          ("src/measure/gauge_bins.h", ["clod_gauge_bin", "clod_gauge_section"]),
          ("src/sim/belt_work.h", ["clod_belt_work"]),
          ("src/sim/belt_loads.c", ["belt_memory", "belts"]),
-         ("src/sim/gauges.h", ["clod_gauge_alarm", "clod_gauge_memory", "clod_gauges"]),
+         ("src/sim/gauges.h", ["clod_gauge_alarm", "clod_gauge_passed", "clod_gauge_memory", "clod_gauges"]),
          ("src/measure/continuum.h", ["CLOD_CONTINUUM_SUMS"]),
          ("src/sim/fields.h", ["clod_field_memory"]),
          ("src/measure/mixing.h", ["clod_mixing"]),
@@ -52,6 +52,7 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
          ("src/sim/history_map.c", ["history_map"]),
          ("src/state/impacts.h", ["CLOD_IMPACT_ANGLES", "CLOD_IMPACT_BOUNDS", "clod_impact_class",
                                   "clod_impact_sums", "clod_impacts"]),
+         ("src/state/planes.h", ["clod_plane", "clod_passed"]),
          ("src/output/series.h", ["clod_series_mark"]),
          ("src/output/snapshot.h", ["clod_snapshot_film"]),
          ("src/sim/job.h", ["clod_job_memory"])]

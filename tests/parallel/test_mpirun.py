@@ -70,6 +70,9 @@ class Mpirun(clod.Case):
         last = clod.table(self.path("one/series.csv"))[-1]
         self.assertGreater(last["outlet_below.grains"], 10)
         self.assertGreater(last["gauge_all.grains"], 10)
+        self.assertGreater(last["gauge_all.passed_forward"], 10)
+        self.assertGreater(last["gauge_end.passed_forward"], 10)
+        self.assertGreater(last["gauge_end.passed_back"], 5)
         self.assertGreater(last["clumps.grains"], 10)
         self.assertGreater(last["clumps_low.grains"], 2)
         self.assertGreater(last["belt.resting_mass"], 0)

@@ -118,7 +118,8 @@ class Compare(pages.PageCase):
         """Angles of repose, mixing indices and mass flows, with their means: 28 and 30 deg, 0.8 and 0.9; one run has no drum."""
         for seed, (angle, lacey) in enumerate(((28.0, 0.8), (30.0, 0.9), (32.0, None)), 1):
             pages.free_run(self.path(f"f{seed}"))
-            gauges = {"head <b>": {"mass_flow_kg_per_s": {"mean": 0.8 + 0.01 * seed, "deviation": 0.02}}}
+            gauges = {"head <b>": {"mass_flow_kg_per_s": {"mean": 0.8 + 0.01 * seed, "deviation": 0.02},
+                                   "flow_through_kg_per_s": {"mean": 0.9 + 0.01 * seed, "deviation": 0.03}}}
             mixing = {} if lacey is None else {"drum": {"by": "number", "lacey": lacey}}
             self.seeded(f"f{seed}", seed, {**pages.FREE, "repose": {"heap": {"angle_deg": angle, "error_deg": 0.9}}, "mixing": mixing, "gauges": gauges})
         page = self.compare("f1", "f2", "f3")
@@ -126,6 +127,7 @@ class Compare(pages.PageCase):
         self.assertEqual(page.row("angle of repose: heap [deg]")[1:], ["28.00 ± 0.90", "30.00 ± 0.90", "32.00 ± 0.90", "30.0 ± 1.2 (s 2.0)"])
         self.assertEqual(page.row("mixing index (Lacey): drum")[1:], ["0.8", "0.9", "-", "0.850 ± 0.050 (s 0.071) (n 2)"])
         self.assertEqual(page.row("mass flow: head <b> [kg/s]")[1:], ["0.81", "0.82", "0.83", "0.8200 ± 0.0058 (s 0.0100)"])
+        self.assertEqual(page.row("flow through the plane: head <b> [kg/s]")[1:], ["0.91", "0.92", "0.93", "0.9200 ± 0.0058 (s 0.0100)"])
         self.assertIn('<td title="28 &plusmn; 0.9 deg">', page.text)
 
     def seeded(self, name, seed, summary):

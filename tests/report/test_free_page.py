@@ -111,14 +111,19 @@ class FreePage(pages.PageCase):
         repose = {"heap": {"angle_deg": 28.159265, "error_deg": 0.9116774, "mean_deg": 28.159265, "deviation_deg": 7e-9, "height_m": 0.0457, "strips": 7},
                   "none": {"angle_deg": None, "error_deg": None, "mean_deg": None, "deviation_deg": None, "height_m": None, "strips": 0}}
         mixing = {"drum": {"by": "number", "lacey": 0.8731, "mean": 0.85, "deviation": 0.012, "share": 0.5}}
-        pages.free_run(self.path("run"), repose=repose, mixing=mixing, outlets=None)
+        gauges = {"head": {**pages.FREE["gauges"]["head"], "passed_forward": 421, "passed_back": 0, "mass_forward_kg": 1.2345678,
+                           "flow_through_kg_per_s": {"mean": 0.8212345, "deviation": 0.0312}}}
+        pages.free_run(self.path("run"), repose=repose, mixing=mixing, gauges=gauges, outlets=None)
         self.made("report", "run")
         page = self.page("run/report.html")
         cards = re.findall(r'<div class="card"><b(?: title="([^"]*)")?>(.*?)</b><span>(.*?)</span>', page.text)
         plain = [(html.unescape(title), html.unescape(re.sub("<[^>]*>", "", number)), caption) for title, number, caption in cards]
-        self.assertEqual(plain[:3], [("28.159265 ± 0.9116774 deg", "28.16 ± 0.91 deg", "angle of repose: heap"),
+        self.assertEqual(plain[:4], [("28.159265 ± 0.9116774 deg", "28.16 ± 0.91 deg", "angle of repose: heap"),
                                      ("0.8731", "0.873", "mixing index (Lacey): drum"),
-                                     ("0.8343702206 ± 0.0204139 kg/s", "0.834 ± 0.020 kg/s", "mass flow, mean and deviation: head")])
+                                     ("0.8343702206 ± 0.0204139 kg/s", "0.834 ± 0.020 kg/s", "mass flow, mean and deviation: head"),
+                                     ("0.8212345 ± 0.0312 kg/s", "0.821 ± 0.031 kg/s", "flow through the plane, mean and deviation: head")])
+        self.assertEqual(page.row("passed forward")[1], "421")
+        self.assertEqual(page.row("flow through [kg/s]")[1], "0.821 ± 0.031")
         self.assertNotIn("kinetic energy", [caption for *_, caption in plain])
         self.assertEqual(page.row("angle [deg]")[1], "28.16 ± 0.91")
         self.assertEqual(page.row("mean [deg]")[1], "28.16")  # its deviation is below what is told

@@ -128,6 +128,10 @@ static void what_is_written_is_read(void **state)
         reads |= stage->reads;
         writes |= stage->writes;
     }
+    for (int k = 0; k < CLOD_LAST_STAGES; k++) { // what planes have seen is read here alone
+        reads |= CLOD_LAST_STAGE[k].reads;
+        writes |= CLOD_LAST_STAGE[k].writes;
+    }
     assert_int_equal(reads | CLOD_STAGE_SHARE | CLOD_STAGE_HISTORY, writes);
 }
 

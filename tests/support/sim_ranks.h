@@ -37,7 +37,7 @@ static const char SIM_BED[] =
              "max: 1.6 mm}, region: {box: {min: [-20 mm, -12 mm, 2 mm], max: [20 mm, 12 mm, "
              "30 mm]}}, velocity: [0.2 m/s, 0 m/s, -0.8 m/s]}\n"
              "gauges: {low: {region: {box: {min: [-20 mm, -12 mm, 0 mm], max: [20 mm, 12 mm, "
-             "9 mm]}}, direction: [1, 0, 0]}}\n"
+             "9 mm]}}, direction: [1, 0, 0], plane: {at: 0 mm}}}\n"
              "clumps: {}\n"
              "output: {surfaces: true}\n";
 
