@@ -166,5 +166,5 @@ bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *
     clod_sheet_columns(sheet, true);
     const bool good = clod_shear_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    return good && clod_field_slices_put_part(sheet, run, status);
+    return good && clod_field_slices_put(sheet, run, status);
 }

@@ -66,5 +66,5 @@ bool clod_run_pages_uniaxial(clod_sheet *sheet, const clod_run_files *run, const
     put_flow_function(sheet, strengths);
     const bool good = put_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    return good && clod_field_slices_put_part(sheet, run, status);
+    return good && clod_field_slices_put(sheet, run, status);
 }

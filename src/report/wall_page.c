@@ -226,7 +226,7 @@ bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json
     clod_sheet_columns(sheet, true);
     const bool good = put_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    return good && clod_field_slices_put_part(sheet, run, status);
+    return good && clod_field_slices_put(sheet, run, status);
 }
 
 // ---- laboratory

@@ -3,11 +3,13 @@ regions, and an index is that of the grains in a snapshot."""
 
 import json
 import os
+import shutil
 import sys
 import unittest
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
-import clod  # noqa: E402
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report"))
+import pages  # noqa: E402
+from pages import clod  # noqa: E402
 
 try:
     import h5py
@@ -122,6 +124,18 @@ class PartMeasures(clod.Case):
         self.assertIn("Plane y = -2.5 mm: layer 12 of 24 of the grid's cells across y", page)
         self.assertIn(f"Mean of {told['samples']} samples from {told['since_s']:.6g} s on; cells of 5 mm", page)
         self.assertTrue(os.path.exists(self.path("out/report-field-grid-speed.svg")))
+        self.check_compared(page)
+
+    def check_compared(self, page):
+        """Beside itself: the numbers of its own page, twice, and what is shown."""
+        shutil.copytree(self.path("out"), self.path("again"))
+        done = clod.run("compare", "out", "again", "-o", "both.html", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        both, own = pages.load(self.path("both.html")), pages.Page(page).figures
+        self.assertIn("Means over the phase preshear, with which the part ends: preshear. All runs have one scale", "".join(both.words))
+        for name in ("density", "pressure", "speed", "coordination"):
+            for run in ("out", "again"):
+                self.assertEqual(both.figures[f"field-grid-{name}-{run}"]["map"], own[f"field-grid-{name}"]["map"])
 
 
 if __name__ == "__main__":
