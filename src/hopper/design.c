@@ -175,9 +175,10 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
 }
 
 /** Limit and half angle are those of a state. */
-static void judge(clod_hopper_design *self, const clod_hopper_design *at, double built)
+static void set_design_state(clod_hopper_design *self, const clod_hopper_design *at,
+                             double built)
 {
-    self->judged = at->state;
+    self->design_state = at->state;
     self->limit = at->limit;
     self->half_angle = at->half_angle;
     self->built = fmax(built, clod_hopper_is_critical(self) ? self->outlet : 0.0);
@@ -193,7 +194,7 @@ static clod_hopper_design design_for(const clod_solid *solid, const clod_hopper_
     if (self.outcome != CLOD_HOPPER_ARCHES && self.outcome != CLOD_HOPPER_UNSETTLED) {
         begin_to_slide(solid, &fixed, at->state.sigma_1, &self);
     }
-    judge(&self, at, built);
+    set_design_state(&self, at, built);
     return self;
 }
 
@@ -217,7 +218,7 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
     if (seems_larger(solid, wish, least)) { // and then, as a rule, it is: half the work
         clod_hopper_design self = clod_critical_settle(solid, wish);
         if (self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least) {
-            judge(&self, &self, 0.0);
+            set_design_state(&self, &self, 0.0);
             return self;
         }
     }
@@ -244,11 +245,11 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
         at = self;
         return design_for(solid, wish, &at, 0.0);
     }
-    judge(&self, &self, 0.0);
+    set_design_state(&self, &self, 0.0);
     if (wish->outlet > 0.0 && self.outlet <= wish->outlet) {
         // slides at the critical outlet, but not at this one, or no state was found there
         at.outcome = how == STICKS ? CLOD_HOPPER_FUNNEL : CLOD_HOPPER_UNSETTLED;
-        judge(&at, &at, 0.0);
+        set_design_state(&at, &at, 0.0);
         return at;
     }
     return self;
@@ -281,7 +282,7 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
     }
     at.limit = clod_critical_limit(&at.state, wish->tolerance);
     at.half_angle = wish->half_angle;
-    judge(&self, &at, built);
+    set_design_state(&self, &at, built);
     return self;
 }
 

@@ -79,10 +79,10 @@ class HopperPage(clod.Case):
                                           (row[4], "y_error", scale, digits)):
                 self.cell(told, point[key], by, places)
 
-    def test_where_the_half_angle_is_judged(self):
+    def test_the_design_state(self):
         """The template's cone is for the outlet of 500 mm that it has, not for its critical one."""
         page, found = self.design()
-        at = found["cone"]["judged_at"]
+        at = found["cone"]["design_state"]
         self.assertEqual(at["outlet_m"], 0.5)
         self.assertIn(f"Limit and half angle: at the outlet of 500.0 mm, where sigma_1 is {1e-3 * at['sigma_1_Pa']:.3f} kPa, phi_e "
                       f"{at['phi_e_deg']:.1f} and the wall friction angle {at['phi_w_deg']:.1f} deg.", page.text)
