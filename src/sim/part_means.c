@@ -34,13 +34,15 @@ static const char *next_line(const char *line)
     return end != NULL ? end + 1 : line + strlen(line);
 }
 
-/** The number of cell k; false: there is none. */
-static bool number_at(const char *line, size_t k, double *number)
+/** The number of a cell, which may be NULL; false: it has none, or its line has no end. */
+static bool number_of(const char *cell, double *number)
 {
-    const char *cell = cell_of(line, k);
-    char *end = NULL;
-    *number = cell != NULL ? strtod(cell, &end) : (double)NAN;
-    return end != cell && end != NULL && strchr(",\n", *end) != NULL;
+    if (cell == NULL || *cell == '\n') { // strtod would go on to the next line
+        return false;
+    }
+    char *end;
+    *number = strtod(cell, &end);
+    return end != cell && (*end == ',' || *end == '\n');
 }
 
 /** Find the last phase and the last third of it; false: the rows are no series of a part. */
@@ -50,7 +52,7 @@ static bool find_steady(clod_part_means *self, const char *rows)
     bool any = false;
     for (const char *line = rows; *line != '\0'; line = next_line(line)) {
         double now;
-        if (!number_at(line, 0, &time) || !number_at(line, 1, &now)) {
+        if (!number_of(line, &time) || !number_of(cell_of(line, 1), &now)) {
             return false;
         }
         began = !any ? time : now != phase ? before : began;
@@ -67,9 +69,10 @@ static bool find_steady(clod_part_means *self, const char *rows)
 /** Add a row to its block. */
 static bool add_row(sums *to, const char *line, size_t block)
 {
-    double value;
-    for (size_t k = 0; k < to->count; k++) {
-        if (!number_at(line, to->first + k, &value)) {
+    const char *cell = cell_of(line, to->first);
+    for (size_t k = 0; k < to->count; k++, cell = cell_of(cell, 1)) {
+        double value;
+        if (!number_of(cell, &value)) {
             return false;
         }
         if (!isnan(value)) {
@@ -86,7 +89,7 @@ static bool add_rows(clod_part_means *self, const char *rows, sums *to)
     double time;
     for (const char *line = rows; *line != '\0'; line = next_line(line)) {
         const int block =
-            number_at(line, 0, &time) ? clod_steady_time_block(&self->steady, time) : -1;
+            number_of(line, &time) ? clod_steady_time_block(&self->steady, time) : -1;
         if (block >= 0) {
             if (!add_row(to, line, (size_t)block)) {
                 return false;

@@ -74,7 +74,9 @@ static void what_is_no_series_is_refused(void **folder)
                                         HEADER "0.5,6,0,x,1\n",
                                         HEADER "0.5,-1,0,1,1\n",
                                         HEADER "time,6,0,1,1\n",
-                                        HEADER "0.5,6,0,1,1\n\n"};
+                                        HEADER "0.5,6,0,1,1\n\n0.6,6,0,1,1\n", // an empty line
+                                        HEADER "0.5,6,0,1,1\n0.6,6,0,1,\n",
+                                        HEADER "0.5,6,0,1,1"};
     clod_part_means means;
     clod_status status;
     assert_false(clod_part_means_read(&means, temp_folder(folder), "point-1", 3, 2, &status));
