@@ -108,11 +108,11 @@ typedef struct clod_check_report {
     double across_width, across_depth;     ///< grain diameters
     double bar_diameters;                  ///< bar height in grain diameters
     // ridges on the plate of a wall friction test; all 0: it is flat
-    int64_t plate_ridges;   ///< number of them
-    double ridge_spacing;   ///< m, from crest to crest
-    double ridge_flank;     ///< rad above the floor
-    double ridge_felt;      ///< m that a mean grain sinks between two crests
-    double plate_roughness; ///< Rmax(L = d)/d, d the mean diameter of the grains
+    int64_t plate_ridges;    ///< number of them
+    double ridge_spacing;    ///< m, from crest to crest
+    double ridge_flank;      ///< rad above the floor
+    double ridge_sink_depth; ///< m that a mean grain sinks between two crests
+    double plate_roughness;  ///< Rmax(L = d)/d, d the mean diameter of the grains
     // loaded walls: the lid, or the one with the shortest period
     double servo_period; ///< s, of the wall on the stiffness of the bed
     // meshes and belts

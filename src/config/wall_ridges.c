@@ -106,7 +106,7 @@ double clod_wall_ridges_roughness(const clod_wall_ridges *self, double diameter)
     return self->height * (diameter < run ? diameter / run : 1.0) / diameter;
 }
 
-double clod_wall_ridges_felt(const clod_wall_ridges *self, double radius)
+double clod_wall_ridges_sink_depth(const clod_wall_ridges *self, double radius)
 {
     const double edge = 0.5 * (self->spacing - self->crest); // of a crest, from the middle
     const double foot = 0.5 * (self->spacing - self->width);

@@ -41,8 +41,8 @@ double clod_wall_ridges_way(const clod_case_wall_friction *test);
 double clod_wall_ridges_roughness(const clod_wall_ridges *self, double diameter);
 
 /**
- * How deep a ball sinks between two ridges, from where it lies on a crest [m]: what it feels of their
- * height. It rests on the floor, two flanks or two edges.
+ * How deep a ball sinks between two ridges, from where it lies on a crest [m]. It rests on the floor, two
+ * flanks or two edges.
  * Test  tests/config/test_wall_ridges.c
  */
-double clod_wall_ridges_felt(const clod_wall_ridges *self, double radius);
+double clod_wall_ridges_sink_depth(const clod_wall_ridges *self, double radius);

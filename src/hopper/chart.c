@@ -97,7 +97,7 @@ static void put_flow_function(const clod_hopper *self, clod_plot *panel)
 /** Limit of mass flow over the wall friction angle, at the effective angle of the cone's state. */
 static void put_limits(const clod_hopper *self, clod_plot *panel)
 {
-    const double phi_e = self->shape[CLOD_RADIAL_CONE].design.judged.phi_e;
+    const double phi_e = self->shape[CLOD_RADIAL_CONE].design.design_state.phi_e;
     const clod_plot_pen pen = {BLACK, 2.0, false};
     char text[64];
     snprintf(text, sizeof text, "limit of a cone, phi_e = %.1f deg", DEGREES * phi_e);
@@ -109,7 +109,7 @@ static void put_limits(const clod_hopper *self, clod_plot *panel)
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         const clod_hopper_value *angle = &self->shape[s].number[CLOD_HOPPER_HALF_ANGLE];
         const clod_hopper_design *at = &self->shape[s].design;
-        const clod_hopper_value *wall = &self->shape[s].number[CLOD_HOPPER_JUDGED_PHI_W];
+        const clod_hopper_value *wall = &self->shape[s].number[CLOD_HOPPER_DESIGN_PHI_W];
         if (at->outcome != CLOD_HOPPER_FUNNEL) {
             put_state(panel, s, angle, wall, DEGREES);
         }

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "hopper/bracket.h"
+
 #define QUICK 20 ///< rounds after which bounds are halved
 
 double clod_critical_limit(const clod_solid_state *state, double tolerance)
@@ -38,17 +40,8 @@ static double end_of(const clod_solid *solid, clod_curve_meeting meeting)
     return curve->points[meeting == CLOD_CURVE_BELOW ? 0 : curve->count - 1].x;
 }
 
-/** Where to look next, and within which bounds: sigma_1 lies between low and high. */
-typedef struct search {
-    double sigma_1, low, high;
-    bool led; ///< to sigma_1 by the bounds, not by the flow factor
-} search;
-
-/**
- * One round: the state at sigma_1 has a flow factor, and that another sigma_1. Bounds that close
- * in keep rounds from going in circles.
- */
-static clod_curve_meeting go_on(const clod_solid *solid, double flow_factor, search *at)
+/** One round: the state at sigma_1 has a flow factor, and that another sigma_1. */
+static clod_curve_meeting go_on(const clod_solid *solid, double flow_factor, clod_bracket *at)
 {
     double met = 0.0;
     const clod_curve_meeting meeting =
@@ -56,14 +49,8 @@ static clod_curve_meeting go_on(const clod_solid *solid, double flow_factor, sea
     if (meeting != CLOD_CURVE_MEETS) {
         met = end_of(solid, meeting);
     }
-    if (met > at->sigma_1) {
-        at->low = at->sigma_1;
-    } else {
-        at->high = at->sigma_1;
-    }
-    const bool inside = met > at->low && met < at->high;
-    at->led = !inside && met != at->sigma_1;
-    at->sigma_1 = at->led ? sqrt(at->low * at->high) : met;
+    clod_bracket_narrow(at, met > at->sigma_1);
+    clod_bracket_go(at, met);
     return meeting;
 }
 
@@ -89,7 +76,7 @@ static clod_hopper_design settle_from(const clod_solid *solid, const clod_hopper
                                       double first)
 {
     clod_hopper_design self = {.outcome = CLOD_HOPPER_UNSETTLED, .outlet = (double)NAN};
-    search at = {first, CLOD_CRITICAL_LOWEST, CLOD_CRITICAL_HIGHEST, false};
+    clod_bracket at = clod_bracket_from(first);
     const double close = CLOD_CRITICAL_CLOSE * wish->tolerance;
     double slid = 0.0, stuck = 0.0; // Pa: the last stresses at which it did
     for (int round = 0; round < CLOD_CRITICAL_ROUNDS; round++) {
@@ -99,21 +86,20 @@ static clod_hopper_design settle_from(const clod_solid *solid, const clod_hopper
                 self.outcome = CLOD_HOPPER_FUNNEL;
                 return self;
             }
-            at.low = stuck = before;
-            at.sigma_1 = sqrt(at.low * at.high);
+            stuck = before;
+            clod_bracket_narrow(&at, true);
+            clod_bracket_halve(&at);
             continue;
         }
         slid = before;
         const clod_curve_meeting meeting = go_on(solid, self.flow_factor, &at);
-        if (round >= QUICK && at.low > CLOD_CRITICAL_LOWEST &&
-            at.high < CLOD_CRITICAL_HIGHEST) {
-            at.sigma_1 = sqrt(at.low * at.high); // rounds go to and fro, and hardly closer
-            at.led = true;
+        if (round >= QUICK && at.low > CLOD_BRACKET_LOWEST && at.high < CLOD_BRACKET_HIGHEST) {
+            clod_bracket_halve(&at); // rounds go to and fro, and hardly closer
         }
         if (fabs(at.sigma_1 - before) > close * before) {
             continue;
         }
-        if (at.led && at.low == stuck) {
+        if (at.halved && at.low == stuck) {
             clod_critical_shape(solid, wish, stuck, &self); // no arch down to where it sticks
             self.outcome = CLOD_HOPPER_FUNNEL;
             return self;

@@ -10,8 +10,6 @@
 #define CLOD_CRITICAL_ROUNDS 60
 #define CLOD_CRITICAL_CLOSE                                                                    \
     10.0 ///< relative change of sigma_1 at which the state is found, in tolerances
-#define CLOD_CRITICAL_LOWEST 1e-9 ///< Pa: bounds that no state has
-#define CLOD_CRITICAL_HIGHEST 1e12
 
 /** Largest half angle of mass flow in a cone for a state; 0: none. */
 double clod_critical_limit(const clod_solid_state *state, double tolerance);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "hopper/bracket.h"
 #include "hopper/critical.h"
 
 #define DEGREE (M_PI / 180.0)
@@ -38,11 +39,6 @@ static double guess_angle(const clod_solid *solid, const clod_hopper_wish *wish)
            clod_radial_beta(state.phi_e, state.phi_w) - wish->margin;
 }
 
-/** Where to look next, and within which bounds: sigma_1 lies between low and high. */
-typedef struct search {
-    double sigma_1, low, high;
-} search;
-
 /** How an outlet flows. */
 typedef enum flow { SLIDES, STICKS, UNSETTLED } flow;
 
@@ -54,7 +50,7 @@ typedef enum flow { SLIDES, STICKS, UNSETTLED } flow;
 static flow flow_below(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
                        double first, clod_hopper_design *at)
 {
-    search in = {first, CLOD_CRITICAL_LOWEST, CLOD_CRITICAL_HIGHEST};
+    clod_bracket in = clod_bracket_from(first);
     flow how = UNSETTLED;
     double slid = 0.0; // Pa: the last stress at which it did
     bool above = false;
@@ -73,12 +69,8 @@ static flow flow_below(const clod_solid *solid, const clod_hopper_wish *wish, do
             return STICKS;
         }
         above = above || (how == STICKS && before > slid);
-        if (how == STICKS ? before < slid : next > before) {
-            in.low = before;
-        } else {
-            in.high = before;
-        }
-        in.sigma_1 = next > in.low && next < in.high ? next : sqrt(in.low * in.high);
+        clod_bracket_narrow(&in, how == STICKS ? before < slid : next > before);
+        clod_bracket_go(&in, next);
     }
     return how == STICKS || !clod_critical_shape(solid, wish, above ? in.high : in.low, at)
                ? STICKS
@@ -94,7 +86,7 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
         return flow_below(solid, wish, outlet, first, at);
     }
     clod_hopper_wish fixed = *wish;
-    search in = {first, CLOD_CRITICAL_LOWEST, CLOD_CRITICAL_HIGHEST};
+    clod_bracket in = clod_bracket_from(first);
     fixed.half_angle = guess_angle(solid, wish);
     if (fixed.half_angle > 0.0 && flow_below(solid, &fixed, outlet, first, at) == SLIDES) {
         in.sigma_1 = at->state.sigma_1; // a better start
@@ -114,13 +106,9 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
         if (how == UNSETTLED || (how == STICKS && next <= before)) {
             return how;
         }
-        if (next >
-            before) { // where it sticks above, a steeper hopper of a larger stress slides
-            in.low = before;
-        } else {
-            in.high = before;
-        }
-        in.sigma_1 = next > in.low && next < in.high ? next : sqrt(in.low * in.high);
+        // where it sticks above, a steeper hopper of a larger stress slides
+        clod_bracket_narrow(&in, next > before);
+        clod_bracket_go(&in, next);
     }
     return UNSETTLED;
 }
@@ -187,9 +175,10 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
 }
 
 /** Limit and half angle are those of a state. */
-static void judge(clod_hopper_design *self, const clod_hopper_design *at, double built)
+static void set_design_state(clod_hopper_design *self, const clod_hopper_design *at,
+                             double built)
 {
-    self->judged = at->state;
+    self->design_state = at->state;
     self->limit = at->limit;
     self->half_angle = at->half_angle;
     self->built = fmax(built, clod_hopper_is_critical(self) ? self->outlet : 0.0);
@@ -205,7 +194,7 @@ static clod_hopper_design design_for(const clod_solid *solid, const clod_hopper_
     if (self.outcome != CLOD_HOPPER_ARCHES && self.outcome != CLOD_HOPPER_UNSETTLED) {
         begin_to_slide(solid, &fixed, at->state.sigma_1, &self);
     }
-    judge(&self, at, built);
+    set_design_state(&self, at, built);
     return self;
 }
 
@@ -229,7 +218,7 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
     if (seems_larger(solid, wish, least)) { // and then, as a rule, it is: half the work
         clod_hopper_design self = clod_critical_settle(solid, wish);
         if (self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least) {
-            judge(&self, &self, 0.0);
+            set_design_state(&self, &self, 0.0);
             return self;
         }
     }
@@ -256,11 +245,11 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
         at = self;
         return design_for(solid, wish, &at, 0.0);
     }
-    judge(&self, &self, 0.0);
+    set_design_state(&self, &self, 0.0);
     if (wish->outlet > 0.0 && self.outlet <= wish->outlet) {
         // slides at the critical outlet, but not at this one, or no state was found there
         at.outcome = how == STICKS ? CLOD_HOPPER_FUNNEL : CLOD_HOPPER_UNSETTLED;
-        judge(&at, &at, 0.0);
+        set_design_state(&at, &at, 0.0);
         return at;
     }
     return self;
@@ -293,7 +282,7 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
     }
     at.limit = clod_critical_limit(&at.state, wish->tolerance);
     at.half_angle = wish->half_angle;
-    judge(&self, &at, built);
+    set_design_state(&self, &at, built);
     return self;
 }
 

@@ -47,9 +47,9 @@ typedef enum clod_hopper_outcome {
  */
 typedef struct clod_hopper_design {
     clod_hopper_outcome outcome;
-    clod_solid_state state;  ///< critical state
-    clod_solid_state judged; ///< at the outlet that is built
-    double built;            ///< m: that outlet; 0: there is none
+    clod_solid_state state;        ///< critical state
+    clod_solid_state design_state; ///< of limit and half angle: at the outlet that is built
+    double built;                  ///< m: that outlet; 0: there is none
     bool sticks; ///< at outlets below the critical one the solid does not slide along the wall;
                  ///< without that, no arch would stand over some of them
     bool at_measured;   ///< limit and half angle are those at the smallest measured sigma_1

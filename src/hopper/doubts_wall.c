@@ -68,7 +68,7 @@ static double lowest(const clod_hopper *self, const clod_hopper_design *at, doub
             const double x = curve->points[i].x;
             const double sigma_1 = c == 0 ? x : sigma_1_of(&self->solid, x);
             const double there =
-                sigma_1 > at->judged.sigma_1
+                sigma_1 > at->design_state.sigma_1
                     ? clod_hopper_limit_at(&self->solid, sigma_1, CLOD_RADIAL_TOLERANCE)
                     : *limit;
             if (there < *limit) {
@@ -140,7 +140,7 @@ static void warn_measured(clod_hopper *self, const char *name, const clod_hopper
         "%s: at the stresses of a critical outlet the wall holds the solid. So the half angle is that "
         "for the smallest measured sigma_1, %.3f kPa, and the critical outlet that of this half angle: "
         "tests at other stresses would give another pair. Give %s.outlet, the outlet that is built.",
-        name, 1e-3 * at->judged.sigma_1, CLOD_HOPPER_SHAPE_NAMES[found->wish.shape]);
+        name, 1e-3 * at->design_state.sigma_1, CLOD_HOPPER_SHAPE_NAMES[found->wish.shape]);
 }
 
 void clod_doubts_wall(clod_hopper *self, const char *name, const clod_hopper_found *found)
@@ -152,11 +152,11 @@ void clod_doubts_wall(clod_hopper *self, const char *name, const clod_hopper_fou
     if (at->sticks && is_extrapolated(wall, &at->state)) {
         warn_intercept(self, name, "the critical outlet", &at->state);
     }
-    if (at->outcome == CLOD_HOPPER_FUNNEL && is_extrapolated(wall, &at->judged)) {
-        warn_intercept(self, name, "funnel flow", &at->judged);
-    } else if (is_extrapolated(wall, &at->judged) &&
-               !(at->sticks && at->judged.sigma_1 == at->state.sigma_1)) {
-        warn_intercept(self, name, "the limit of mass flow", &at->judged);
+    if (at->outcome == CLOD_HOPPER_FUNNEL && is_extrapolated(wall, &at->design_state)) {
+        warn_intercept(self, name, "funnel flow", &at->design_state);
+    } else if (is_extrapolated(wall, &at->design_state) &&
+               !(at->sticks && at->design_state.sigma_1 == at->state.sigma_1)) {
+        warn_intercept(self, name, "the limit of mass flow", &at->design_state);
     }
     if (at->at_measured) {
         warn_measured(self, name, found);

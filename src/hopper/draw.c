@@ -87,7 +87,7 @@ static void draw_specimens(clod_draw *self, uint64_t item)
 }
 
 /** What is left of an error beside what specimens share. */
-static double alone(double error, const double *spread, size_t specimens)
+static double unshared(double error, const double *spread, size_t specimens)
 {
     double shared = 0.0;
     for (size_t s = 0; s < specimens && spread != NULL; s++) {
@@ -126,7 +126,7 @@ static double own(const clod_draw *self, uint64_t item, const clod_curve *curve,
     const clod_curve_point *from = &curve->points[i];
     const bool repeats = from->spread == NULL && from->freedom > 0;
     const uint64_t of_scale = OF_TEST(curve->test) + OF_SET(i);
-    return alone(from->y_error, from->spread, curve->specimens) *
+    return unshared(from->y_error, from->spread, curve->specimens) *
            (repeats ? scale_of(self, item, of_scale, from->freedom) : 1.0) *
            normal(self, item, draw);
 }
@@ -138,7 +138,7 @@ static void draw_curve(const clod_draw *self, uint64_t item, const clod_curve *m
     for (size_t i = 0; i < measured->count; i++, *draw += 4) {
         const clod_curve_point *from = &measured->points[i];
         const uint64_t of_x = from->row > 0 ? OF_ROW + 2 * from->row : *draw;
-        const double x = alone(from->x_error, from->x_spread, measured->specimens);
+        const double x = unshared(from->x_error, from->x_spread, measured->specimens);
         const double y =
             from->joint ? joint(self, item, from) : own(self, item, measured, i, *draw + 2);
         curve->points[i].x =

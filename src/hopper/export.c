@@ -57,12 +57,13 @@ static json_t *shape_of(const clod_hopper_found *found)
     }
     const clod_hopper_design *at = &found->design;
     if (at->built > 0.0) {
-        json_object_set_new(
-            self, "judged_at",
-            json_pack("{s:o, s:o, s:o, s:o, s:o}", "outlet_m", number(at->built), "sigma_1_Pa",
-                      number(at->judged.sigma_1), "sigma_w_Pa", number(at->judged.sigma_w),
-                      "phi_e_deg", number(DEGREES * at->judged.phi_e), "phi_w_deg",
-                      number(DEGREES * at->judged.phi_w)));
+        json_object_set_new(self, "design_state",
+                            json_pack("{s:o, s:o, s:o, s:o, s:o}", "outlet_m",
+                                      number(at->built), "sigma_1_Pa",
+                                      number(at->design_state.sigma_1), "sigma_w_Pa",
+                                      number(at->design_state.sigma_w), "phi_e_deg",
+                                      number(DEGREES * at->design_state.phi_e), "phi_w_deg",
+                                      number(DEGREES * at->design_state.phi_w)));
     }
     json_object_set_new(self, "outlet_by_wall", json_boolean(at->sticks));
     if (found->planned > 0.0) {
@@ -120,8 +121,8 @@ static json_t *measured(const clod_hopper *self)
 static json_t *specimens_of(const clod_hopper *self)
 {
     json_t *list = json_array();
-    for (size_t k = 0; k < self->alone_count; k++) {
-        const clod_hopper_alone *at = &self->alone[k];
+    for (size_t k = 0; k < self->specimen_count; k++) {
+        const clod_hopper_specimen *at = &self->specimens[k];
         json_t *one = json_pack("{s:I}", "seed", (json_int_t)at->seed);
         for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
             json_object_set_new(one, CLOD_HOPPER_SHAPE_NAMES[s],

@@ -18,7 +18,7 @@ const clod_hopper_field CLOD_HOPPER_FIELDS[CLOD_HOPPER_NUMBERS] = {
     [CLOD_HOPPER_RHO] = {"rho_b_kg_m3", "bulk density there", "kg/m3", 1.0, 1.0, 0, NULL},
     [CLOD_HOPPER_ARCH] = {"arch_thickness", "H(theta)", "", 1.0, 1.0, 3, NULL},
     [CLOD_HOPPER_MARGIN] = {"arching_margin", "stress over strength", "", 1.0, 1.0, 2, NULL},
-    [CLOD_HOPPER_JUDGED_PHI_W] = {"judged_phi_w_deg", "wall friction angle of the limit", "deg",
+    [CLOD_HOPPER_DESIGN_PHI_W] = {"design_phi_w_deg", "wall friction angle of the limit", "deg",
                                   DEGREES, DEGREES, 1, NULL},
 };
 

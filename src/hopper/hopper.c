@@ -47,7 +47,7 @@ static bool fill(clod_hopper *self, clod_status *status)
     self->hole = clod_rathole_of(&self->solid, &self->silo);
     self->rathole[CLOD_HOPPER_EMPTYING].value = self->hole.emptying;
     self->rathole[CLOD_HOPPER_FILLING].value = self->hole.filling;
-    return clod_interval_fill(self, status) && clod_interval_alone(self, status);
+    return clod_interval_fill(self, status) && clod_interval_specimens(self, status);
 }
 
 /** Whether as many overrides are there as were said. */
@@ -110,7 +110,7 @@ void clod_hopper_destroy(clod_hopper **self)
         clod_memory_free((*self)->overrides[k]);
     }
     clod_memory_free((*self)->overrides);
-    clod_memory_free((*self)->alone);
+    clod_memory_free((*self)->specimens);
     clod_memory_free((*self)->path);
     clod_memory_free(*self);
     *self = NULL;

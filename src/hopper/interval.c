@@ -54,7 +54,7 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     number[CLOD_HOPPER_PHI_W] = critical ? at.state.phi_w : none;
     number[CLOD_HOPPER_RHO] = critical ? at.state.rho : none;
     number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
-    number[CLOD_HOPPER_JUDGED_PHI_W] = slides ? at.judged.phi_w : none;
+    number[CLOD_HOPPER_DESIGN_PHI_W] = slides ? at.design_state.phi_w : none;
     number[CLOD_HOPPER_MARGIN] = none;
     if (asked_for_margin(found)) {
         clod_hopper_wish built =
@@ -115,18 +115,19 @@ static bool copy_solid(const clod_solid *from, clod_solid *to, clod_curve_point 
 }
 
 /** Put what a specimen alone says in place of the means; false: it is not in all points. */
-static bool take_alone(const clod_solid *measured, size_t specimen, clod_solid *to)
+static bool take_specimen(const clod_solid *measured, size_t specimen, clod_solid *to)
 {
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         const clod_curve *from = &measured->curves[k];
         const bool shear = from->specimens > 0 && from->test == CLOD_CURVE_SHEAR;
         for (size_t i = 0; i < from->count && shear; i++) {
             const clod_curve_point *point = &from->points[i];
-            clod_curve_point *alone = &to->curves[k].points[i];
-            alone->x =
-                clod_specimens_alone(point->x, point->x_spread, from->specimens, specimen);
-            alone->y = clod_specimens_alone(point->y, point->spread, from->specimens, specimen);
-            if (isnan(alone->x) || isnan(alone->y)) {
+            clod_curve_point *own = &to->curves[k].points[i];
+            own->x =
+                clod_specimens_value_of(point->x, point->x_spread, from->specimens, specimen);
+            own->y =
+                clod_specimens_value_of(point->y, point->spread, from->specimens, specimen);
+            if (isnan(own->x) || isnan(own->y)) {
                 return false;
             }
         }
@@ -135,8 +136,8 @@ static bool take_alone(const clod_solid *measured, size_t specimen, clod_solid *
     return true;
 }
 
-static void design_alone(const clod_hopper *self, const clod_solid *solid,
-                         clod_hopper_alone *to)
+static void design_specimen(const clod_hopper *self, const clod_solid *solid,
+                            clod_hopper_specimen *to)
 {
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         clod_hopper_outcome outcome;
@@ -147,23 +148,23 @@ static void design_alone(const clod_hopper *self, const clod_solid *solid,
     }
 }
 
-bool clod_interval_alone(clod_hopper *self, clod_status *status)
+bool clod_interval_specimens(clod_hopper *self, clod_status *status)
 {
     const size_t specimens = self->solid.seeds != NULL ? self->solid.strength.specimens : 0;
     clod_solid solid;
     clod_curve_point *owned;
     bool good = copy_solid(&self->solid, &solid, &owned);
-    self->alone = clod_memory_alloc(specimens, sizeof *self->alone);
-    good = good && (self->alone != NULL || specimens == 0);
+    self->specimens = clod_memory_alloc(specimens, sizeof *self->specimens);
+    good = good && (self->specimens != NULL || specimens == 0);
     for (size_t s = 0; s < specimens && good; s++) {
         copy_points(&self->solid, &solid);
-        if (take_alone(&self->solid, s, &solid)) {
-            clod_hopper_alone *to = &self->alone[self->alone_count++];
+        if (take_specimen(&self->solid, s, &solid)) {
+            clod_hopper_specimen *to = &self->specimens[self->specimen_count++];
             to->seed = self->solid.seeds[s];
-            design_alone(self, &solid, to);
+            design_specimen(self, &solid, to);
         }
     }
-    self->alone_count = self->alone_count > 1 ? self->alone_count : 0;
+    self->specimen_count = self->specimen_count > 1 ? self->specimen_count : 0;
     clod_memory_free(owned);
     return good || clod_status_fail(status, CLOD_FAILED, "No memory for the specimens.");
 }

@@ -24,4 +24,4 @@ bool clod_interval_fill(clod_hopper *self, clod_status *status);
  *
  * Errors  CLOD_FAILED: memory.   Test  tests/hopper/test_measured.py
  */
-bool clod_interval_alone(clod_hopper *self, clod_status *status);
+bool clod_interval_specimens(clod_hopper *self, clod_status *status);

@@ -24,7 +24,7 @@ void clod_lines_curve(const clod_curve *curve, double most, clod_line *line)
 
 void clod_lines_limit(const clod_hopper *self, clod_line *line)
 {
-    const double phi_e = self->shape[CLOD_RADIAL_CONE].design.judged.phi_e;
+    const double phi_e = self->shape[CLOD_RADIAL_CONE].design.design_state.phi_e;
     line->count = 0;
     for (size_t k = 0; k < CLOD_LINES_MOST; k++) {
         const double phi_w = phi_e * (double)k / (CLOD_LINES_MOST - 1);

@@ -21,5 +21,5 @@ double clod_lines_reach(const clod_hopper *self);
 void clod_lines_curve(const clod_curve *curve, double most, clod_line *line);
 
 /** Limit of mass flow in a cone: half angle over wall friction angle, at the effective angle of the
- *  state at which the cone's half angle is judged. */
+ *  design state of the cone. */
 void clod_lines_limit(const clod_hopper *self, clod_line *line);

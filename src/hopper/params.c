@@ -129,7 +129,8 @@ static const clod_param SHAPE[] = {
      CLOD_AT(clod_hopper_shape, half_angle),
      .help =
          "Angle of the wall from the vertical; auto: the limit of mass flow in a cone, at the "
-         "outlet that is built, less margin.",
+         "outlet that is built, less margin. Where none is given and the solid would stick to the "
+         "wall at the critical outlet: at the smallest measured sigma_1.",
      .source = THEORY},
     REAL_ROW(
         clod_hopper_shape, "outlet", outlet, "m", "300 mm",

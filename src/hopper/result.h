@@ -27,7 +27,7 @@ typedef enum clod_hopper_number {
     CLOD_HOPPER_RHO,          ///< kg/m3
     CLOD_HOPPER_ARCH,         ///< H; NAN: funnel flow
     CLOD_HOPPER_MARGIN,       ///< NAN: no outlet is given, or funnel flow
-    CLOD_HOPPER_JUDGED_PHI_W, ///< rad, where limit and half angle are judged; NAN: funnel flow
+    CLOD_HOPPER_DESIGN_PHI_W, ///< rad, at the design state; NAN: funnel flow
     CLOD_HOPPER_NUMBERS,
 } clod_hopper_number;
 
@@ -55,11 +55,11 @@ typedef struct clod_hopper_found {
 } clod_hopper_found;
 
 /** What a specimen that is in all yield loci makes of the design, alone; the wall as measured. */
-typedef struct clod_hopper_alone {
+typedef struct clod_hopper_specimen {
     int64_t seed;
     double half_angle[CLOD_HOPPER_SHAPES]; ///< rad; 0: funnel flow
     double outlet[CLOD_HOPPER_SHAPES];     ///< m; 0: no arch; INFINITY: none is large enough
-} clod_hopper_alone;
+} clod_hopper_specimen;
 
 struct clod_hopper {
     clod_hopper_case from; ///< owned content
@@ -73,7 +73,8 @@ struct clod_hopper {
     double
         holed[CLOD_HOPPER_HOLES]; ///< share of the samples in which G of that rathole is known
     clod_rathole hole;
-    clod_hopper_alone *alone; ///< [alone_count] owned; NULL: fewer than two such specimens
-    size_t alone_count;
+    clod_hopper_specimen
+        *specimens; ///< [specimen_count] owned; NULL: fewer than two such specimens
+    size_t specimen_count;
     clod_warning_list warnings;
 };

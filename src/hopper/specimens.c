@@ -168,8 +168,8 @@ void clod_specimens_sort(clod_curve_point *points, size_t count, size_t specimen
     }
 }
 
-double clod_specimens_alone(double mean, const double *spread, size_t specimens,
-                            size_t specimen)
+double clod_specimens_value_of(double mean, const double *spread, size_t specimens,
+                               size_t specimen)
 {
     double n = 0.0;
     for (size_t s = 0; s < specimens && spread != NULL; s++) {

@@ -60,5 +60,5 @@ void clod_specimens_sort(clod_curve_point *points, size_t count, size_t specimen
  *
  * @param spread  [specimens] of the value whose mean is `mean`
  */
-double clod_specimens_alone(double mean, const double *spread, size_t specimens,
-                            size_t specimen);
+double clod_specimens_value_of(double mean, const double *spread, size_t specimens,
+                               size_t specimen);

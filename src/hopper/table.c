@@ -70,13 +70,13 @@ static void put_planned(FILE *out, const clod_hopper_found *found)
 
 /** The outlets that specimens ask for, each alone: "43.1 (seed 101), 42.9 (seed 102) mm"; of as many as
  *  have room. */
-static void put_alone(FILE *out, const clod_hopper *self, int shape)
+static void put_specimens(FILE *out, const clod_hopper *self, int shape)
 {
     char text[1024] = "";
     size_t used = 0;
     size_t k = 0;
-    for (; k < self->alone_count && used < sizeof text - 80; k++) {
-        const clod_hopper_alone *at = &self->alone[k];
+    for (; k < self->specimen_count && used < sizeof text - 80; k++) {
+        const clod_hopper_specimen *at = &self->specimens[k];
         const double outlet = 1e3 * at->outlet[shape];
         char number[32] = "infinite";
         if (isfinite(outlet)) {
@@ -88,7 +88,7 @@ static void put_alone(FILE *out, const clod_hopper *self, int shape)
     }
     if (k > 0) {
         snprintf(text + used, sizeof text - used, "%s mm",
-                 k < self->alone_count ? ", ..." : "");
+                 k < self->specimen_count ? ", ..." : "");
         put_text(out, "  critical outlet by specimen ", text);
     }
 }
@@ -102,7 +102,7 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
             cone ? "Cone, round outlet" : "Wedge, slot at least 3 times as long");
     clod_words_verdict(found, text);
     put_text(out, "  ", text);
-    if (clod_words_judged(found, text)) {
+    if (clod_words_design_state(found, text)) {
         const bool funnel = found->design.outcome == CLOD_HOPPER_FUNNEL;
         put_text(out, funnel ? "  why: " : "  limit and half angle: ", text);
     }
@@ -116,7 +116,7 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
     }
     clod_words_shares(found, text);
     put_text(out, "  samples ", text);
-    put_alone(out, self, (int)found->wish.shape);
+    put_specimens(out, self, (int)found->wish.shape);
     put_planned(out, found);
 }
 

@@ -57,12 +57,12 @@ static void judge_funnel(const clod_hopper_design *at, char text[CLOD_WORDS_MOST
     char wall[64];
     put_wall(&at->state, wall);
     if (at->built > 0.0) {
-        const bool above = at->state.sigma_1 > at->judged.sigma_1;
+        const bool above = at->state.sigma_1 > at->design_state.sigma_1;
         snprintf(
             text, CLOD_WORDS_MOST,
             "at the outlet of %.1f mm, sigma_1 of %.3f kPa, the solid slides; at %s, sigma_1 of "
             "%.3f kPa, it does not: %s",
-            1e3 * at->built, 1e-3 * at->judged.sigma_1,
+            1e3 * at->built, 1e-3 * at->design_state.sigma_1,
             above ? "larger stresses above it" : "smaller stresses", 1e-3 * at->state.sigma_1,
             wall);
     } else {
@@ -71,20 +71,20 @@ static void judge_funnel(const clod_hopper_design *at, char text[CLOD_WORDS_MOST
     }
 }
 
-bool clod_words_judged(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
+bool clod_words_design_state(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
 {
     const clod_hopper_design *at = &found->design;
     if (at->outcome == CLOD_HOPPER_FUNNEL) {
         judge_funnel(at, text);
         return at->state.sigma_1 > 0.0;
     }
-    const bool other = at->built > 0.0 && !(at->judged.sigma_1 == at->state.sigma_1);
+    const bool other = at->built > 0.0 && !(at->design_state.sigma_1 == at->state.sigma_1);
     snprintf(text, CLOD_WORDS_MOST,
              "at %s outlet of %.1f mm, where sigma_1 is %.3f kPa, phi_e %.1f and the wall "
              "friction angle %.1f deg",
              at->at_measured ? "the smallest measured stress, that of an" : "the",
-             1e3 * at->built, 1e-3 * at->judged.sigma_1, DEGREES * at->judged.phi_e,
-             DEGREES * at->judged.phi_w);
+             1e3 * at->built, 1e-3 * at->design_state.sigma_1, DEGREES * at->design_state.phi_e,
+             DEGREES * at->design_state.phi_w);
     return other;
 }
 

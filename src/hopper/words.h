@@ -17,9 +17,9 @@ extern const char *const CLOD_WORDS_HOLES[CLOD_HOPPER_HOLES];
 /** Why a rathole has no diameter; false: it has one. */
 bool clod_words_no_rathole(const clod_hopper *self, int hole, char text[CLOD_WORDS_MOST]);
 
-/** At which outlet limit and half angle are judged, and in funnel flow at which stress the solid does not slide;
+/** The design state, that of limit and half angle, with its outlet, and in funnel flow at which stress the solid does not slide;
  *  false: at the critical one, or none is built. */
-bool clod_words_judged(const clod_hopper_found *found, char text[CLOD_WORDS_MOST]);
+bool clod_words_design_state(const clod_hopper_found *found, char text[CLOD_WORDS_MOST]);
 
 /** How the values of one yield locus are drawn; false: there are none with several errors, or specimens move them. */
 bool clod_words_drawn(const clod_hopper *self, char text[CLOD_WORDS_MOST]);

@@ -32,7 +32,7 @@ bool clod_compare_figures_shear(clod_sheet *sheet, const clod_run_files *runs, s
                       clod_series_compare_parts(sheet, runs, count, "preshear", "displacement",
                                                 "bulk_density", status);
     clod_sheet_columns(sheet, false);
-    return good;
+    return good && clod_slice_compare_put(sheet, runs, count, status);
 }
 
 bool clod_compare_figures_uniaxial(clod_sheet *sheet, const clod_run_files *runs, size_t count,
@@ -42,7 +42,7 @@ bool clod_compare_figures_uniaxial(clod_sheet *sheet, const clod_run_files *runs
     clod_sheet_columns(sheet, true);
     const bool good = clod_series_compare_strengths(sheet, runs, count, status);
     clod_sheet_columns(sheet, false);
-    return good;
+    return good && clod_slice_compare_put(sheet, runs, count, status);
 }
 
 bool clod_compare_figures_free(clod_sheet *sheet, const clod_run_files *runs, size_t count,

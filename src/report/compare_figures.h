@@ -9,12 +9,12 @@
 #include "report/run_files.h"
 #include "report/sheet.h"
 
-/** Yield loci over each other, and the curves of all preshears.
+/** Yield loci over each other, the curves of all preshears, and slices of fields.
  *  Errors  CLOD_USAGE: a damaged table; CLOD_FAILED: no memory. */
 bool clod_compare_figures_shear(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                                 const json_t *lab, clod_status *status);
 
-/** Flow functions, and axial stresses over strain. Errors  as above. */
+/** Flow functions, axial stresses over strain, and slices of fields. Errors  as above. */
 bool clod_compare_figures_uniaxial(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                                    const json_t *lab, clod_status *status);
 

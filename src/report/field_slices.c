@@ -28,26 +28,57 @@ static void put_field(clod_sheet *sheet, const clod_field_figure *self)
     }
 }
 
-/** Slices of the grids of one object of the summary. @param part  of a test; NULL: a free run */
-static bool put_grids(clod_sheet *sheet, const clod_run_files *run, json_t *grids,
-                      const char *part, clod_status *status)
+/** Whether the solid is sheared or crushed in a phase. */
+static bool is_main(const char *phase)
+{
+    return phase != NULL && (strcmp(phase, "preshear") == 0 || strcmp(phase, "shear") == 0 ||
+                             strcmp(phase, "crush") == 0);
+}
+
+json_t *clod_field_slices_grids(const clod_run_files *run, const char **part)
+{
+    size_t k;
+    json_t *one;
+    *part = NULL;
+    json_array_foreach(json_object_get(run->summary, "parts"), k, one)
+    {
+        json_t *grids = json_object_get(one, "fields");
+        const json_t *first = json_object_iter_value(json_object_iter(grids));
+        const char *name = json_string_value(json_object_get(one, "part"));
+        if (name != NULL && is_main(json_string_value(json_object_get(first, "phase")))) {
+            *part = name;
+            return grids;
+        }
+    }
+    return json_object_get(run->summary, "fields");
+}
+
+void clod_field_slices_path(const clod_run_files *run, const char *part, const char *field,
+                            char *path, size_t size)
+{
+    snprintf(path, size, "%s/%s%sfield_%s.hdf", run->folder, part != NULL ? part : "",
+             part != NULL ? "_" : "", field);
+}
+
+bool clod_field_slices_put(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
 {
     bool good = true;
     bool any = false;
-    const char *name;
+    const char *name, *part;
     json_t *grid;
     double gravity[3];
+    json_t *grids = clod_field_slices_grids(run, &part);
     clod_run_files_gravity(run, gravity);
     json_object_foreach(grids, name, grid)
     {
-        char path[4096], heading[128];
-        snprintf(path, sizeof path, "%s/%s%sfield_%s.hdf", run->folder,
-                 part != NULL ? part : "", part != NULL ? "_" : "", name);
+        char path[4096];
+        clod_field_slices_path(run, part, name, path, sizeof path);
         // a mean over a region has no grid; without its corner it is of an older clod
         if (!good || json_object_get(grid, "corner_m") == NULL || access(path, F_OK) != 0) {
             continue;
         }
         if (!any) {
+            char heading[128];
             snprintf(heading, sizeof heading, "Slices of the fields%s%s",
                      part != NULL ? ", " : "", part != NULL ? part : "");
             clod_html_section(sheet->body, "slices", heading);
@@ -65,33 +96,4 @@ static bool put_grids(clod_sheet *sheet, const clod_run_files *run, json_t *grid
         clod_field_slice_fini(&slice);
     }
     return good;
-}
-
-bool clod_field_slices_put(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
-{
-    return put_grids(sheet, run, json_object_get(run->summary, "fields"), NULL, status);
-}
-
-/** Whether the solid is sheared or crushed in a phase. */
-static bool is_main(const char *phase)
-{
-    return phase != NULL && (strcmp(phase, "preshear") == 0 || strcmp(phase, "shear") == 0 ||
-                             strcmp(phase, "crush") == 0);
-}
-
-bool clod_field_slices_put_part(clod_sheet *sheet, const clod_run_files *run,
-                                clod_status *status)
-{
-    size_t k;
-    json_t *part;
-    json_array_foreach(json_object_get(run->summary, "parts"), k, part)
-    {
-        json_t *grids = json_object_get(part, "fields");
-        const json_t *first = json_object_iter_value(json_object_iter(grids));
-        const char *name = json_string_value(json_object_get(part, "part"));
-        if (name != NULL && is_main(json_string_value(json_object_get(first, "phase")))) {
-            return put_grids(sheet, run, grids, name, status);
-        }
-    }
-    return true;
 }

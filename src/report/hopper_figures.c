@@ -140,7 +140,7 @@ static void put_limits(clod_sheet *sheet, const clod_hopper *design)
     clod_figure figure;
     clod_line line;
     char name[64];
-    const double phi_e = design->shape[CLOD_RADIAL_CONE].design.judged.phi_e;
+    const double phi_e = design->shape[CLOD_RADIAL_CONE].design.design_state.phi_e;
     clod_figure_init(&figure, "half-angle", "Half angle and wall friction");
     clod_figure_axis_set(&figure.x, "half angle", "deg", DEGREES);
     clod_figure_axis_set(&figure.y, "wall friction angle", "deg", DEGREES);
@@ -156,7 +156,7 @@ static void put_limits(clod_sheet *sheet, const clod_hopper *design)
         if (found->design.outcome != CLOD_HOPPER_FUNNEL) {
             add_state(&figure, s, CLOD_HOPPER_SHAPE_NAMES[s],
                       &found->number[CLOD_HOPPER_HALF_ANGLE],
-                      &found->number[CLOD_HOPPER_JUDGED_PHI_W]);
+                      &found->number[CLOD_HOPPER_DESIGN_PHI_W]);
         }
     }
     clod_sheet_figure(sheet, &figure);

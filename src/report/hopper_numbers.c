@@ -14,14 +14,21 @@
 static const clod_hopper_field HEAD = {
     "filling_stress_Pa", "vertical stress after filling", "kPa", 1e-3, 1.0, 3, NULL};
 
+/** Begin a row with the name of a quantity and its unit. */
+static void begin_row(FILE *out, const char *name, const char *unit)
+{
+    char text[128];
+    snprintf(text, sizeof text, unit[0] != '\0' ? "%s [%s]" : "%s", name, unit);
+    fputs("<tr>", out);
+    clod_html_cell(out, "th", text);
+}
+
 static void put_row(FILE *out, const clod_hopper_field *how, const clod_hopper_value *number)
 {
-    fputs("<tr>", out);
-    clod_html_cell(out, "th", how->text);
+    begin_row(out, how->text, how->unit);
     clod_hopper_cells_put(out, how, number->value);
     clod_hopper_cells_put(out, how, number->low);
     clod_hopper_cells_put(out, how, number->high);
-    clod_html_cell(out, "td", how->unit);
     fputs("</tr>\n", out);
 }
 
@@ -30,7 +37,7 @@ static void begin_table(FILE *out, const clod_hopper *design, const char *first)
     const double tail = 50.0 * (1.0 - design->from.interval.level);
     fprintf(out,
             "<div class=\"scroll\"><table class=\"copied\"><thead><tr><th>%s</th><th>value</th>"
-            "<th>%.3g %%</th><th>%.3g %%</th><th>unit</th></tr></thead>\n<tbody>",
+            "<th>%.3g %%</th><th>%.3g %%</th></tr></thead>\n<tbody>",
             first, tail, 100.0 - tail);
 }
 
@@ -100,7 +107,7 @@ static void put_causes(FILE *out, const clod_hopper *design)
         fputs("</li>\n", out);
     }
     fputs("</ul>\n<div class=\"scroll\"><table class=\"copied\"><thead><tr><th>share of the "
-          "variance of the critical outlet</th><th>cone</th><th>wedge</th><th>unit</th></tr>"
+          "variance of the critical outlet [%]</th><th>cone</th><th>wedge</th></tr>"
           "</thead>\n<tbody>",
           out);
     for (size_t k = 0; k < sizeof ROWS / sizeof ROWS[0]; k++) {
@@ -110,7 +117,7 @@ static void put_causes(FILE *out, const clod_hopper *design)
                 out, &ROWS[k].how,
                 design->shape[CLOD_HOPPER_CELLS_SHAPES[s]].cause[ROWS[k].curve]);
         }
-        fprintf(out, "<td>%s</td></tr>\n", ROWS[k].how.unit);
+        fputs("</tr>\n", out);
     }
     fprintf(
         out,
@@ -124,34 +131,33 @@ static void put_causes(FILE *out, const clod_hopper *design)
 
 /** Measured curves; angles are in degrees in JSON, too. */
 static const struct {
-    const char *of;
+    const char *of, *over;
     clod_hopper_field how;
 } CURVES[CLOD_SOLID_CURVES] = {
-    [CLOD_SOLID_STRENGTH] = {"f_c over sigma_1", {"", "", "kPa", 1e-3, 1.0, 3, NULL}},
-    [CLOD_SOLID_PHI_E] = {"phi_e over sigma_1", {"", "", "deg", DEGREES, DEGREES, 2, NULL}},
-    [CLOD_SOLID_PHI_T] = {"phi_t over sigma_1", {"", "", "deg", DEGREES, DEGREES, 2, NULL}},
-    [CLOD_SOLID_RHO] = {"rho_b over sigma_1", {"", "", "kg/m3", 1.0, 1.0, 1, NULL}},
-    [CLOD_SOLID_WALL] = {"tau_w over sigma_w", {"", "", "kPa", 1e-3, 1.0, 3, NULL}},
+    [CLOD_SOLID_STRENGTH] = {"f_c", "sigma_1", {"", "", "kPa", 1e-3, 1.0, 3, NULL}},
+    [CLOD_SOLID_PHI_E] = {"phi_e", "sigma_1", {"", "", "deg", DEGREES, DEGREES, 2, NULL}},
+    [CLOD_SOLID_PHI_T] = {"phi_t", "sigma_1", {"", "", "deg", DEGREES, DEGREES, 2, NULL}},
+    [CLOD_SOLID_RHO] = {"rho_b", "sigma_1", {"", "", "kg/m3", 1.0, 1.0, 1, NULL}},
+    [CLOD_SOLID_WALL] = {"tau_w", "sigma_w", {"", "", "kPa", 1e-3, 1.0, 3, NULL}},
 };
 static const clod_hopper_field ANGLE = {"", "", "deg", DEGREES, DEGREES, 2, NULL};
 
-static void put_point(FILE *out, const char *of, const clod_hopper_field *how,
-                      const clod_curve_point *point)
+/** A row of the name that has been put. */
+static void put_point(FILE *out, const clod_hopper_field *how, const clod_curve_point *point)
 {
     static const clod_hopper_field STRESS = {"", "", "kPa", 1e-3, 1.0, 3, NULL};
-    fprintf(out, "<tr><th>%s</th>", of);
     clod_hopper_cells_put(out, &STRESS, point->x);
     clod_hopper_cells_put(out, &STRESS, point->x_error);
     clod_hopper_cells_put(out, how, point->y);
     clod_hopper_cells_put(out, how, point->y_error);
-    fprintf(out, "<td>%s</td></tr>\n", how->unit);
+    fputs("</tr>\n", out);
 }
 
 static void put_measured(FILE *out, const clod_hopper *design)
 {
     clod_html_section(out, "measured", "What was measured");
     fputs("<div class=\"scroll\"><table class=\"copied\"><thead><tr><th>curve</th><th>stress "
-          "[kPa]</th><th>error</th><th>value</th><th>error</th><th>unit</th></tr></thead>\n"
+          "[kPa]</th><th>error [kPa]</th><th>value</th><th>error</th></tr></thead>\n"
           "<tbody>",
           out);
     for (int c = 0; c < CLOD_SOLID_CURVES; c++) {
@@ -159,14 +165,20 @@ static void put_measured(FILE *out, const clod_hopper *design)
         const clod_hopper_property *value = clod_hopper_cells_value(&design->from, c);
         if (value != NULL) {
             const double none = (double)NAN;
+            const clod_hopper_field *how = c == CLOD_SOLID_WALL ? &ANGLE : &CURVES[c].how;
+            begin_row(out, c == CLOD_SOLID_WALL ? "phi_w" : CLOD_HOPPER_CURVE_KEYS[c],
+                      how->unit);
             put_point(
-                out, c == CLOD_SOLID_WALL ? "phi_w" : CLOD_HOPPER_CURVE_KEYS[c],
-                c == CLOD_SOLID_WALL ? &ANGLE : &CURVES[c].how,
+                out, how,
                 &(clod_curve_point){
                     .x = none, .x_error = none, .y = value->value, .y_error = value->error});
         }
         for (size_t i = 0; i < curve->count && value == NULL; i++) {
-            put_point(out, CURVES[c].of, &CURVES[c].how, &curve->points[i]);
+            char name[64];
+            snprintf(name, sizeof name, "%s [%s] over %s", CURVES[c].of, CURVES[c].how.unit,
+                     CURVES[c].over);
+            begin_row(out, name, "");
+            put_point(out, &CURVES[c].how, &curve->points[i]);
         }
     }
     fputs("</tbody></table></div>\n", out);

@@ -67,14 +67,14 @@ static void tell_alone(char text[128], const clod_hopper *design, int shape)
     size_t used = 0;
     size_t k = 0;
     text[0] = '\0';
-    for (; k < design->alone_count && used < 96; k++) {
+    for (; k < design->specimen_count && used < 96; k++) {
         char value[48];
-        clod_hopper_cells_text(value, how, design->alone[k].outlet[shape]);
+        clod_hopper_cells_text(value, how, design->specimens[k].outlet[shape]);
         used += (size_t)snprintf(text + used, 128 - used, "%s%.12s",
                                  k == 0 ? "; each specimen alone: " : ", ", value);
     }
     if (used > 0) {
-        snprintf(text + used, 128 - used, "%s %s", k < design->alone_count ? ", ..." : "",
+        snprintf(text + used, 128 - used, "%s %s", k < design->specimen_count ? ", ..." : "",
                  how->unit);
     }
 }
@@ -132,7 +132,7 @@ static void put_shape(FILE *out, const clod_hopper *design, int shape)
     fprintf(out, "<h3>%s</h3>\n<p class=\"verdict\">", clod_hopper_cells_shape(shape));
     clod_html_text(out, text);
     fputs("</p>\n", out);
-    if (clod_words_judged(found, text)) {
+    if (clod_words_design_state(found, text)) {
         fprintf(out, "<p class=\"note\">%s: ", funnel ? "Why" : "Limit and half angle");
         clod_html_text(out, text);
         fputs(".</p>\n", out);

@@ -6,6 +6,7 @@
 
 #include "report/field_slices.h"
 #include "report/html.h"
+#include "report/part_tables.h"
 #include "report/rounded.h"
 #include "report/shear_rows.h"
 
@@ -166,5 +167,9 @@ bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *
     clod_sheet_columns(sheet, true);
     const bool good = clod_shear_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    return good && clod_field_slices_put_part(sheet, run, status);
+    if (!good || !clod_field_slices_put(sheet, run, status)) {
+        return false;
+    }
+    clod_part_tables_put(sheet, run);
+    return true;
 }

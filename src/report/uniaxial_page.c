@@ -8,6 +8,7 @@
 #include "report/flow_figure.h"
 #include "report/html.h"
 #include "report/part_curves.h"
+#include "report/part_tables.h"
 #include "report/shear_rows.h"
 #include "report/summary_tables.h"
 
@@ -66,5 +67,9 @@ bool clod_run_pages_uniaxial(clod_sheet *sheet, const clod_run_files *run, const
     put_flow_function(sheet, strengths);
     const bool good = put_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    return good && clod_field_slices_put_part(sheet, run, status);
+    if (!good || !clod_field_slices_put(sheet, run, status)) {
+        return false;
+    }
+    clod_part_tables_put(sheet, run);
+    return true;
 }

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "report/series_compare.h"
+#include "report/slice_compare.h"
 #include "report/wall_page.h"
 
 /** The loci of all runs that have one, and the laboratory's; owned, or NULL with status. */
@@ -40,5 +41,5 @@ bool clod_wall_compare_figures(clod_sheet *sheet, const clod_run_files *runs, si
     const bool good = clod_series_compare_parts(sheet, runs, count, "wall", "displacement",
                                                 "shear_stress", status);
     clod_sheet_columns(sheet, false);
-    return good;
+    return good && clod_slice_compare_put(sheet, runs, count, status);
 }

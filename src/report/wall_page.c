@@ -10,6 +10,7 @@
 #include "report/field_slices.h"
 #include "report/html.h"
 #include "report/part_curves.h"
+#include "report/part_tables.h"
 #include "report/rounded.h"
 #include "report/shear_rows.h"
 
@@ -226,7 +227,11 @@ bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json
     clod_sheet_columns(sheet, true);
     const bool good = put_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    return good && clod_field_slices_put_part(sheet, run, status);
+    if (!good || !clod_field_slices_put(sheet, run, status)) {
+        return false;
+    }
+    clod_part_tables_put(sheet, run);
+    return true;
 }
 
 // ---- laboratory

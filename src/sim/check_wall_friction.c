@@ -7,7 +7,7 @@
 #include "tester/limits.h"
 
 #define BAR_LIMIT 0.98  ///< grain diameters, as good as one
-#define FELT_LIMIT 0.01 ///< of a grain's radius that it sinks between crests: nothing
+#define SINK_LEAST 0.01 ///< of a grain's radius that it sinks between crests: nothing
 #define SPACING_LIMIT                                                                          \
     0.01 ///< by which the spacing in a ring may differ from what was asked for
 #define DEGREE (M_PI / 180.0)
@@ -20,7 +20,7 @@ static void look_at_ridges(const clod_case_wall_friction *test, double radius,
         report->plate_ridges = ridges.count;
         report->ridge_spacing = ridges.spacing;
         report->ridge_flank = ridges.flank;
-        report->ridge_felt = clod_wall_ridges_felt(&ridges, radius);
+        report->ridge_sink_depth = clod_wall_ridges_sink_depth(&ridges, radius);
         report->plate_roughness = clod_wall_ridges_roughness(&ridges, 2.0 * radius);
     }
 }
@@ -94,7 +94,7 @@ void clod_check_wall_write(clod_check_page *to, const clod_check_report *r)
             "%lld ridges, one every %.4g mm, flanks of %.3g deg; grains sink %.3g mm "
             "between them",
             (long long)r->plate_ridges, 1e3 * r->ridge_spacing, r->ridge_flank / DEGREE,
-            1e3 * r->ridge_felt);
+            1e3 * r->ridge_sink_depth);
         clod_check_line(to, "", "roughness over a grain's diameter Rmax(L = d)/d = %.3g",
                         r->plate_roughness);
     }
@@ -114,7 +114,7 @@ static const clod_check_real WALL_REALS[] = {
 static const clod_check_real RIDGE_REALS[] = {
     CLOD_CHECK_REAL("ridge_spacing_m", ridge_spacing),
     CLOD_CHECK_REAL("ridge_flank_rad", ridge_flank),
-    CLOD_CHECK_REAL("ridge_depth_felt_m", ridge_felt),
+    CLOD_CHECK_REAL("ridge_sink_depth_m", ridge_sink_depth),
     CLOD_CHECK_REAL("plate_roughness", plate_roughness),
 };
 
@@ -131,13 +131,13 @@ void clod_check_wall_put(json_t *to, const clod_check_report *r)
 static void warn_ridges(const clod_case_wall_friction *test, clod_check_report *r)
 {
     const double asked = test->plate_ridges.spacing;
-    if (r->ridge_felt < FELT_LIMIT * r->radius_mean) {
+    if (r->ridge_sink_depth < SINK_LEAST * r->radius_mean) {
         clod_check_warning(
             r,
             "grains sink %.2g mm between the ridges of the plate, %.2g %% of their radius: they "
             "hardly feel them. Raise wall_friction.plate_ridges.height or spacing, or leave the "
             "ridges out and raise the friction of grains and plate",
-            1e3 * r->ridge_felt, 1e2 * r->ridge_felt / r->radius_mean);
+            1e3 * r->ridge_sink_depth, 1e2 * r->ridge_sink_depth / r->radius_mean);
     }
     if (fabs(r->ridge_spacing / asked - 1.0) > SPACING_LIMIT) {
         clod_check_warning(r,

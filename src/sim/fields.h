@@ -47,6 +47,11 @@ void clod_fields_leave_frames(void *memory, const clod_case *from);
 void clod_fields_put_grid(json_t *object, const void *memory, const clod_case *from,
                           size_t number);
 
+/** Put the means over a region, their deviations and its volume there.
+ *  @param mean, deviation  [CLOD_CONTINUUM_NUMBERS] */
+void clod_fields_put_means(json_t *object, const clod_case_field *asked, const double *mean,
+                           const double *deviation);
+
 /** Lines of the report, object of the summary (fields_report.c). */
 void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *now);
 json_t *clod_fields_json(const void *memory, const clod_free_moment *now);

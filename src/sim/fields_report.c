@@ -89,13 +89,16 @@ static json_t *numbers_json(const double *numbers, const clod_continuum_value *v
     return array;
 }
 
-static void put_means(json_t *object, const means *self)
+void clod_fields_put_means(json_t *object, const clod_case_field *asked, const double *mean,
+                           const double *deviation)
 {
+    const clod_continuum field = clod_fields_make(asked);
+    json_object_set_new(object, "volume_m3", json_real(clod_continuum_volume(&field.region)));
     for (int v = 0; v < CLOD_CONTINUUM_VALUES; v++) {
         const clod_continuum_value *value = &CLOD_CONTINUUM_VALUE[v];
         json_object_set_new(object, value->key,
-                            json_pack("{s:o, s:o}", "mean", numbers_json(self->mean, value),
-                                      "deviation", numbers_json(self->deviation, value)));
+                            json_pack("{s:o, s:o}", "mean", numbers_json(mean, value),
+                                      "deviation", numbers_json(deviation, value)));
     }
 }
 
@@ -175,9 +178,7 @@ json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
                                 (json_int_t)clod_fields_samples(mine));
         if (asked->cell == 0.0) {
             const means of = means_of(&field, mine);
-            json_object_set_new(one, "volume_m3",
-                                json_real(clod_continuum_volume(&field.region)));
-            put_means(one, &of);
+            clod_fields_put_means(one, asked, of.mean, of.deviation);
         } else {
             clod_fields_put_grid(one, memory, now->from, k);
         }

@@ -55,6 +55,8 @@ typedef struct clod_procedure {
     bool (*write)(const void *data, const void *context, clod_state *state,
                   const clod_frame *frame, clod_status *status);
     const char *(*phase)(const void *data, const void *context);
+    /** Name of a phase by its number in the series, NULL: there is none. NULL: nobody asks. */
+    const char *(*phase_name)(int phase);
     double (*fraction)(const void *data, const void *context);
     /** Why the phase that a sample has just ended is over. NULL: nobody asks. */
     const char *(*reason)(const void *data);

@@ -9,9 +9,8 @@
 #include "setup/domain.h"
 
 /** Columns of each index. */
-static const char *const COLUMN[] = {"lacey [1]", "variance [1]", "random_variance [1]",
-                                     "share [1]", "grains_per_cell [1]"};
-#define COLUMNS (sizeof COLUMN / sizeof *COLUMN)
+static const char *const COLUMN[CLOD_MIXING_COLUMNS] = {
+    "lacey [1]", "variance [1]", "random_variance [1]", "share [1]", "grains_per_cell [1]"};
 
 #define SOLID 1000.0 ///< kg/m3, of the unit of masses: any density does
 
@@ -126,14 +125,15 @@ static bool mixing_look(void *memory, const clod_free_moment *now, clod_status *
 static size_t mixing_columns(const clod_case *from, const clod_state *state)
 {
     (void)state;
-    return from->mixing_count * COLUMNS;
+    return from->mixing_count * CLOD_MIXING_COLUMNS;
 }
 
 static void mixing_column(const clod_case *from, const clod_state *state, size_t k, char *text,
                           size_t size)
 {
     (void)state;
-    snprintf(text, size, "mixing_%s.%s", from->mixings[k / COLUMNS].name, COLUMN[k % COLUMNS]);
+    snprintf(text, size, "mixing_%s.%s", from->mixings[k / CLOD_MIXING_COLUMNS].name,
+             COLUMN[k % CLOD_MIXING_COLUMNS]);
 }
 
 static void mixing_row(void *memory, const clod_free_moment *now, double *row)

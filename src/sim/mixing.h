@@ -26,6 +26,9 @@ void clod_mixing_mean_of(const clod_mixing_mean *self, double *mean, double *dev
 void clod_mixing_mean_write(FILE *out, const clod_mixing_mean *self, double scale,
                             const char *unit);
 
+/** Columns of an index in the series; the first is the index. */
+#define CLOD_MIXING_COLUMNS 5
+
 /**
  * Errors  CLOD_FAILED: memory.   Threads  one per state.
  * Test    tests/cli/test_mixing.py

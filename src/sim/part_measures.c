@@ -3,9 +3,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "sim/fields.h"
 #include "sim/mixing.h"
+#include "sim/part_means.h"
 
 #define COLUMN_TEXT 128
 
@@ -201,25 +203,92 @@ void clod_part_measures_begin(const clod_part_measures *self, void *data,
     }
 }
 
-json_t *clod_part_measures_json(const clod_case *from, const char *part, const void *memory)
+/** The object of the grid of field k. */
+static json_t *grid_json(const clod_case *from, size_t k, const char *part, const void *memory)
 {
-    if (!has_grids(from)) {
-        return NULL;
-    }
     const part_notes *notes =
         (const void *)((const unsigned char *)memory + offset_of(from, COUNT));
+    json_t *one = json_pack("{s:o, s:s, s:f, s:I}", "file",
+                            json_sprintf("%s_field_%s.hdf", part, from->fields[k].name),
+                            "phase", notes->phase, "since_s", notes->since, "samples",
+                            (json_int_t)clod_fields_samples(clod_fields_memory(memory, k)));
+    clod_fields_put_grid(one, memory, from, k);
+    return one;
+}
+
+/** Put what means are of into an object. */
+static void put_steady(json_t *one, const char *phase, const clod_part_means *means)
+{
+    json_object_set_new(one, "phase", json_string(phase));
+    json_object_set_new(one, "since_s", json_real(means->steady.since));
+    json_object_set_new(one, "rows", json_integer((json_int_t)means->rows));
+}
+
+/** Put the fields; the number of their columns. */
+static size_t put_fields(json_t *object, const clod_case *from, const char *part,
+                         const void *memory, const char *phase, const clod_part_means *means)
+{
+    size_t columns = 0;
     json_t *all = json_object();
     for (size_t k = 0; k < from->field_count; k++) {
-        const clod_case_field *asked = &from->fields[k];
-        if (asked->cell > 0.0) {
-            json_t *one =
-                json_pack("{s:o, s:s, s:f, s:I}", "file",
-                          json_sprintf("%s_field_%s.hdf", part, asked->name), "phase",
-                          notes->phase, "since_s", notes->since, "samples",
-                          (json_int_t)clod_fields_samples(clod_fields_memory(memory, k)));
-            clod_fields_put_grid(one, memory, from, k);
-            json_object_set_new(all, asked->name, one);
+        json_t *one;
+        if (from->fields[k].cell > 0.0) {
+            one = grid_json(from, k, part, memory);
+        } else {
+            one = json_object();
+            put_steady(one, phase, means);
+            clod_fields_put_means(one, &from->fields[k], means->mean + columns,
+                                  means->deviation + columns);
+            columns += CLOD_CONTINUUM_NUMBERS;
         }
+        json_object_set_new(all, from->fields[k].name, one);
     }
-    return all;
+    json_object_set_new(object, "fields", all);
+    return columns;
+}
+
+/** Put the mixing indices: what a free run tells of them, with the means of the part. */
+static void put_mixings(json_t *object, const clod_case *from, const void *memory,
+                        const char *phase, const clod_part_means *means, size_t columns)
+{
+    const clod_free_moment now = moment_of(from, NULL, NULL);
+    json_t *all =
+        CLOD_MEASURE_MIXING.json((const unsigned char *)memory + offset_of(from, 1), &now);
+    for (size_t k = 0; k < from->mixing_count; k++) {
+        json_t *one = json_object_get(all, from->mixings[k].name);
+        const size_t lacey = columns + k * CLOD_MIXING_COLUMNS;
+        put_steady(one, phase, means);
+        json_object_set_new(one, "mean", clod_json_number(means->mean[lacey]));
+        json_object_set_new(one, "deviation", clod_json_number(means->deviation[lacey]));
+    }
+    json_object_set_new(object, "mixing", all);
+}
+
+bool clod_part_measures_put(json_t *object, const clod_case *from, const clod_procedure *tester,
+                            const clod_folder *folder, const char *part, const void *memory,
+                            clod_status *status)
+{
+    size_t columns = 0, behind = 0;
+    for (int m = 0; m < COUNT; m++) {
+        columns += MEASURES[m]->told(from) ? MEASURES[m]->columns(from, NULL) : 0;
+    }
+    if (clod_part_measures_size(from) == 0) {
+        return true;
+    }
+    clod_part_means means;
+    bool good =
+        clod_part_means_read(&means, folder, part, tester->column_count, columns, status);
+    const char *phase = good ? tester->phase_name(means.phase) : NULL;
+    if (good && phase == NULL) {
+        good = clod_status_fail(status, CLOD_FAILED, "%s/%s.csv: no phase %d", folder->path,
+                                part, means.phase);
+    }
+    if (good && from->field_count > 0) {
+        behind = put_fields(object, from, part, memory, phase, &means);
+    }
+    if (good && from->mixing_count > 0) {
+        put_mixings(object, from, memory, phase, &means, behind);
+    }
+    clod_part_means_fini(&means);
+    return good;
 }

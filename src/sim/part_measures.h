@@ -51,9 +51,16 @@ void clod_part_measures_begin(const clod_part_measures *self, void *data,
                               const clod_state *state);
 
 /**
- * What the summary of a part has of its grids; a new object, NULL when there are none.
+ * Put what the summary of a part has of them, `fields` and `mixing`; nothing when there are none. Means
+ * over regions and of indices are those of part_means.h.
  *
- * @param part    name of the part
+ * @param tester  without measures
+ * @param folder  where the series of the part is
+ * @param part    name of the part, which is finished
  * @param memory  behind the data of its tester
+ * Errors  CLOD_FAILED: its series cannot be read; no memory.
+ * Test    tests/python/test_part_measures.py
  */
-json_t *clod_part_measures_json(const clod_case *from, const char *part, const void *memory);
+bool clod_part_measures_put(json_t *object, const clod_case *from, const clod_procedure *tester,
+                            const clod_folder *folder, const char *part, const void *memory,
+                            clod_status *status);

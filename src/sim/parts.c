@@ -261,13 +261,12 @@ json_t *clod_parts_json(const clod_part *part)
     return j;
 }
 
-void clod_parts_put_fields(json_t *object, const clod_case *from, const clod_part *part)
+bool clod_parts_put_measures(json_t *object, const clod_job_shared *sim, const clod_part *part,
+                             clod_status *status)
 {
-    const size_t own = clod_testers_of(from)->first->procedure.size;
-    json_t *grids = clod_part_measures_json(from, part->name, (const char *)part->test + own);
-    if (grids != NULL) {
-        json_object_set_new(object, "fields", grids);
-    }
+    const clod_procedure *tester = &clod_testers_of(sim->from)->first->procedure;
+    return clod_part_measures_put(object, sim->from, tester, sim->folder, part->name,
+                                  (const char *)part->test + tester->size, status);
 }
 
 void clod_parts_set_number(json_t *object, const char *key, double value)
@@ -301,8 +300,12 @@ bool clod_parts_write_locus(const clod_job_shared *sim, const clod_parts_locus *
     json_t *list = json_array();
     for (int p = 0; p < parts; p++) {
         json_t *one = how->part(&part[p]);
-        clod_parts_put_fields(one, sim->from, &part[p]);
         json_array_append_new(list, one);
+        if (!clod_parts_put_measures(one, sim, &part[p], status)) {
+            json_decref(list);
+            json_decref(results);
+            return false;
+        }
     }
     return clod_parts_write_summary(sim, list, how->name, results, warnings, incomplete,
                                     status);

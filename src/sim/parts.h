@@ -70,8 +70,10 @@ bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_share
 /** What every tester's summary says of a part; a new object. */
 json_t *clod_parts_json(const clod_part *part);
 
-/** Put what a part has of grids (part_measures.h) into that object. */
-void clod_parts_put_fields(json_t *object, const clod_case *from, const clod_part *part);
+/** Put what a finished part has of fields and mixing (part_measures.h) into that object.
+ *  Errors  CLOD_FAILED: its series cannot be read; no memory. */
+bool clod_parts_put_measures(json_t *object, const clod_job_shared *sim, const clod_part *part,
+                             clod_status *status);
 
 /** Set a number, null when there is none. */
 void clod_parts_set_number(json_t *object, const char *key, double value);

@@ -18,11 +18,18 @@ static bool ring_sample(void *data, const void *context, clod_state *state,
     return clod_ring_shear_sample(data, state, row);
 }
 
+static const char *ring_phase_name(int phase)
+{
+    return phase >= 0 && phase <= (int)CLOD_RING_SHEAR_TWIST
+               ? clod_ring_shear_phase_name((clod_ring_shear_phase)phase)
+               : NULL;
+}
+
 static const char *ring_phase(const void *data, const void *context)
 {
     (void)context;
     const clod_ring_shear *self = data;
-    return clod_ring_shear_phase_name((clod_ring_shear_phase)self->phase);
+    return ring_phase_name((int)self->phase);
 }
 
 static double ring_fraction(const void *data, const void *context)
@@ -78,6 +85,7 @@ const clod_parts_tester CLOD_RING_TESTER = {
                   .plan = ring_plan,
                   .sample = ring_sample,
                   .phase = ring_phase,
+                  .phase_name = ring_phase_name,
                   .fraction = ring_fraction,
                   .trouble = ring_trouble},
     .begin = ring_begin,

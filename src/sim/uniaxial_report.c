@@ -93,15 +93,21 @@ static bool write_summary(const clod_job_shared *sim, const clod_part *part, int
 {
     json_t *list = json_array();
     json_t *results = json_array();
-    for (int p = 0; p < 1 + points; p++) {
+    bool ok = true;
+    for (int p = 0; ok && p < 1 + points; p++) {
         const clod_uniaxial *t = part[p].test;
         json_t *j = clod_parts_json(&part[p]);
         json_object_set_new(j, "flags", flag_words(t->flags));
-        clod_parts_put_fields(j, sim->from, &part[p]);
+        ok = clod_parts_put_measures(j, sim, &part[p], status);
         json_array_append_new(list, j);
         if (p > 0) {
             json_array_append_new(results, point_json(&part[p]));
         }
+    }
+    if (!ok) {
+        json_decref(list);
+        json_decref(results);
+        return false;
     }
     return clod_parts_write_summary(sim, list, "flow_function", results, warnings, why, status);
 }

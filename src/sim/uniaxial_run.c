@@ -18,11 +18,18 @@ static bool uniaxial_sample(void *data, const void *context, clod_state *state,
     return clod_uniaxial_sample(data, state, row);
 }
 
+static const char *uniaxial_phase_name(int phase)
+{
+    return phase >= 0 && phase <= (int)CLOD_UNIAXIAL_DONE
+               ? clod_uniaxial_phase_name((clod_uniaxial_phase)phase)
+               : NULL;
+}
+
 static const char *uniaxial_phase(const void *data, const void *context)
 {
     (void)context;
     const clod_uniaxial *self = data;
-    return clod_uniaxial_phase_name((clod_uniaxial_phase)self->phase);
+    return uniaxial_phase_name((int)self->phase);
 }
 
 static double uniaxial_fraction(const void *data, const void *context)
@@ -61,6 +68,7 @@ const clod_parts_tester CLOD_UNIAXIAL_TESTER = {
                   .plan = uniaxial_plan,
                   .sample = uniaxial_sample,
                   .phase = uniaxial_phase,
+                  .phase_name = uniaxial_phase_name,
                   .fraction = uniaxial_fraction,
                   .trouble = uniaxial_trouble},
     .begin = uniaxial_begin,

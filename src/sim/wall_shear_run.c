@@ -18,11 +18,18 @@ static bool wall_sample(void *data, const void *context, clod_state *state,
     return clod_wall_shear_sample(data, state, row);
 }
 
+static const char *wall_phase_name(int phase)
+{
+    return phase >= 0 && phase <= (int)CLOD_WALL_SHEAR_DONE
+               ? clod_wall_shear_phase_name((clod_wall_shear_phase)phase)
+               : NULL;
+}
+
 static const char *wall_phase(const void *data, const void *context)
 {
     (void)context;
     const clod_wall_shear *self = data;
-    return clod_wall_shear_phase_name((clod_wall_shear_phase)self->phase);
+    return wall_phase_name((int)self->phase);
 }
 
 static double wall_fraction(const void *data, const void *context)
@@ -58,6 +65,7 @@ const clod_parts_tester CLOD_WALL_SHEAR_TESTER = {
                   .plan = wall_plan,
                   .sample = wall_sample,
                   .phase = wall_phase,
+                  .phase_name = wall_phase_name,
                   .fraction = wall_fraction,
                   .trouble = wall_trouble},
     .begin = wall_begin,

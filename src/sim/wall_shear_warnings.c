@@ -78,7 +78,7 @@ bool clod_wall_shear_rough(const clod_case *from, char *text, size_t size)
     }
     const clod_wall_ridges ridges = clod_wall_ridges_of(test);
     const double diameter = 2.0 * test->radius_mean;
-    const double sinks = clod_wall_ridges_felt(&ridges, test->radius_mean) / diameter;
+    const double sinks = clod_wall_ridges_sink_depth(&ridges, test->radius_mean) / diameter;
     snprintf(
         text, size,
         "grains sink %.2g of their diameter between the ridges (at most %.2g in a straight "

@@ -7,7 +7,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import bounce
@@ -209,9 +208,12 @@ class Runs(bounce.Bounce):
         os.makedirs(self.path("out/runs/p001-1-bounce"))
         with open(self.path("out/runs/p001-1-bounce/.clod-lock"), "w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
-            process = self.begin(SHORT, "-j", "1")
-            self.wait_for("p000-1", process)
-            time.sleep(0.5)
+            calls = self.path("calls")  # on this lock
+            process = self.begin(SHORT, "-j", "1", env={
+                **os.environ, "LD_PRELOAD": clod.IO_FAULTS, "CLOD_FAULT_LOG": calls,
+                "CLOD_FAULT_UNDER": os.path.realpath(lock.name)})
+            looks = lambda: os.path.exists(calls) and clod.read(calls).count(b"flock ") > 1
+            self.assertTrue(clod.wait_until(looks, process, 100), "it did not wait for the folder")
             process.send_signal(signal.SIGTERM)
             self.end(process, INTERRUPTED)  # what does not hear it is refused later: the folder stays in use
 

@@ -62,8 +62,7 @@ class Disk(clod.Case):
         """The first checkpoint takes 2 s on its way to the disk: that is said once, and the run goes on."""
         whole, folder = self.whole(), self.path("slow")
         part = os.path.join(os.path.realpath(self.folder), "slow", "restart_a.h5.part")
-        shim = os.path.join(os.path.dirname(os.path.abspath(clod.BINARY)), "io_faults.so")
-        done = self.run_case(folder, env={**os.environ, "LD_PRELOAD": shim, "CLOD_FAULT_AT": "1",
+        done = self.run_case(folder, env={**os.environ, "LD_PRELOAD": clod.IO_FAULTS, "CLOD_FAULT_AT": "1",
                                           "CLOD_FAULT_ONLY": f"fsync {part}", "CLOD_FAULT_SLOW": "2"})
         self.assertEqual(done.returncode, 0, done.stderr)
         text = f"and there is one every 0.02 s: the file system of {folder} is slow"

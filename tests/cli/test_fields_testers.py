@@ -19,6 +19,7 @@ SMALL_WALL = (("shear_min: 2.5 mm", "shear_min: 1 mm"), ("shear_max: 5 mm", "she
               ("grain_count: 400", "grain_count: 60"), ("outer_radius: 30 mm", "outer_radius: 14 mm"))
 SHORT = (("preshear_max: 30 mm", "preshear_max: 9 mm"),
          ("preshear_stress: 10 kPa", "preshear_min: 9 mm\n  preshear_stress: 10 kPa"))
+PHASES = {"preshear": "preshear", "reverse": "reverse", "point": "shear", "fill": "fill", "stress": "crush", "wall": "shear"}
 ANNULUS = "{{annulus: {{center: [0 m, 0 m, {} m], inner_radius: 20 mm, outer_radius: 40 mm, height: {} m}}}}"
 
 
@@ -82,9 +83,12 @@ class FieldsOfTests(clod.Case):
             self.write(clod.source(source), f"\nfields: {{whole: {{region: {region}}}}}\n", *changes)
             self.go(name)
             mass, volume = self.mass(), 0.2 * 0.2 * 0.35
-            parts = [part["part"] for part in self.summary(name)["parts"]]
+            parts = {part["part"]: part["fields"]["whole"] for part in self.summary(name)["parts"]}
             self.assertGreater(len(parts), 1)
-            for part in parts:
+            for part, told in parts.items():
+                self.assertAlmostEqual(told["density_kg_per_m3"]["mean"] * volume / mass, 1.0, delta=1e-9)
+                self.assertLess(told["density_kg_per_m3"]["deviation"] * volume / mass, 1e-9)
+                self.assertEqual(told["phase"], PHASES[part.split("-")[0]])
                 for row in clod.table(self.path(f"{name}/{part}.csv")):
                     self.assertAlmostEqual(row["field_whole.density"] * volume / mass, 1.0, delta=1e-9)
 

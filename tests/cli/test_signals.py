@@ -72,18 +72,21 @@ class Signals(clod.Case):
         process = self.begin(folder)
         process.stderr.close()
         process.stderr = None
-        time.sleep(0.5)
-        process.send_signal(signal.SIGINT)  # this one is told, to nobody
+        process.send_signal(signal.SIGUSR1)  # told to nobody, in the log too
+        told = lambda: any(event["event"] == "notice" for event in clod.log(folder))
+        self.assertTrue(clod.wait_until(told, process), "it ended when it told of its checkpoint")
+        self.goes_on(process, folder)
+        process.send_signal(signal.SIGINT)
         self.expect_stopped(process, signal.SIGINT, folder)
 
     def test_second_interrupt(self):
         """While the checkpoint hangs, on its way to the disk."""
         folder = self.path("out")
         part = os.path.join(os.path.realpath(folder), "restart_b.h5.part")  # a: the beginning's
-        shim = os.path.join(os.path.dirname(os.path.abspath(clod.BINARY)), "io_faults.so")
-        process = self.begin(folder, env={**os.environ, "LD_PRELOAD": shim, "CLOD_FAULT_AT": "1",
-                                          "CLOD_FAULT_ONLY": f"fsync {part}",
-                                          "CLOD_FAULT_HANG": "1"})
+        calls = self.path("calls")
+        process = self.begin(folder, env={**os.environ, "LD_PRELOAD": clod.IO_FAULTS, "CLOD_FAULT_AT": "1",
+                                          "CLOD_FAULT_ONLY": f"fsync {part}", "CLOD_FAULT_UNDER": part,
+                                          "CLOD_FAULT_LOG": calls, "CLOD_FAULT_HANG": "1"})
         process.send_signal(signal.SIGINT)
         shown = ""
         while "again to stop at once\n" not in shown:
@@ -91,8 +94,8 @@ class Signals(clod.Case):
             self.assertNotEqual(line, "", f"ended: {shown}")
             shown += line
         self.assertIn("clod: stopping after a checkpoint", shown)
-        time.sleep(1.0)  # by now it would have stopped
-        self.assertIsNone(process.poll())
+        hangs = lambda: os.path.exists(calls) and f"fsync {part}\n".encode() in clod.read(calls)
+        self.assertTrue(clod.wait_until(hangs, process), "it ended without the checkpoint")
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=1000)
         self.assertEqual(process.returncode, -signal.SIGINT)

@@ -115,10 +115,10 @@ static void what_a_grain_feels_is_how_deep_it_sinks(void **state)
         (clod_case_ridges){.height = 1e-3, .spacing = 7e-3, .width = 2e-3, .crest = 2e-3},
         0.01);
     const clod_wall_ridges a = clod_wall_ridges_of(&edges), b = clod_wall_ridges_of(&bars);
-    check_close(clod_wall_ridges_felt(&a, 5e-3), 0.61484e-3, 1e-8);
-    check_close(clod_wall_ridges_felt(&a, 2e-3), 0.84593e-3, 1e-8);
-    check_close(clod_wall_ridges_felt(&b, 5e-3), 0.66987e-3, 1e-8);
-    check_close(clod_wall_ridges_felt(&b, 2e-3), 1e-3, 1e-15);
+    check_close(clod_wall_ridges_sink_depth(&a, 5e-3), 0.61484e-3, 1e-8);
+    check_close(clod_wall_ridges_sink_depth(&a, 2e-3), 0.84593e-3, 1e-8);
+    check_close(clod_wall_ridges_sink_depth(&b, 5e-3), 0.66987e-3, 1e-8);
+    check_close(clod_wall_ridges_sink_depth(&b, 2e-3), 1e-3, 1e-15);
 }
 
 int main(void)

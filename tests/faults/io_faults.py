@@ -8,7 +8,6 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import clod
 
-SHIM = os.path.join(os.path.dirname(os.path.abspath(clod.BINARY)), "io_faults.so")
 SHORT = 0  # a read or write that does half of its work
 KINDS = (errno.EIO, errno.ENOSPC, errno.EINTR, SHORT)
 WRITING = "write", "pwrite", "ftruncate"
@@ -42,7 +41,7 @@ def run(under, *arguments, at=None, only=None, error=errno.EIO, on=False, log=No
 
     `only` is a pair of call and path: then such calls alone are numbered.
     """
-    environment = {**os.environ, "LD_PRELOAD": SHIM, "CLOD_FAULT_UNDER": under}
+    environment = {**os.environ, "LD_PRELOAD": clod.IO_FAULTS, "CLOD_FAULT_UNDER": under}
     if log is not None:
         environment["CLOD_FAULT_LOG"] = log
     if only is not None:
@@ -80,7 +79,7 @@ class FaultCase(clod.Case):
 
     def setUp(self):
         super().setUp()
-        self.assertTrue(os.path.exists(SHIM), SHIM)
+        self.assertTrue(os.path.exists(clod.IO_FAULTS), clod.IO_FAULTS)
         self.work = self.path("work")
         self.log = self.path("calls")
 

@@ -21,7 +21,7 @@ class Ranks(faults.FaultCase):
 
     def preloaded(self, ranks, *arguments, **variables):
         """Run clod on so many ranks, the library of faults in each, and not in mpirun."""
-        settings = [f"LD_PRELOAD={faults.SHIM}", f"CLOD_FAULT_UNDER={self.work}",
+        settings = [f"LD_PRELOAD={clod.IO_FAULTS}", f"CLOD_FAULT_UNDER={self.work}",
                     *(f"CLOD_FAULT_{name}={value}" for name, value in variables.items())]
         return mpirun.run(ranks, "env", *settings, clod.BINARY, "run", *arguments)
 

@@ -281,8 +281,8 @@ static void where_the_wall_holds_the_solid_it_decides(void **state)
         check_close(at.half_angle, at.limit - wish.margin, 1e-12);
         wish.half_angle = at.half_angle;
         const clod_hopper_margin built = clod_hopper_margin_of(&of.solid, &wish, 1.0);
-        check_relative(built.state.sigma_1, at.judged.sigma_1, 1e-5);
-        check_close(clod_hopper_limit_at(&of.solid, at.judged.sigma_1, wish.tolerance),
+        check_relative(built.state.sigma_1, at.design_state.sigma_1, 1e-5);
+        check_close(clod_hopper_limit_at(&of.solid, at.design_state.sigma_1, wish.tolerance),
                     at.limit, 1e-6);
         check_close(clod_hopper_limit_at(&of.solid, at.state.sigma_1, wish.tolerance),
                     at.half_angle, 1e-4);
@@ -313,7 +313,7 @@ static void the_half_angle_is_that_of_the_outlet_that_is_built(void **state)
     of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 2};
     clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 0.0, CLOD_HOPPER_ARCH_ARNOLD);
     const clod_hopper_design critical = clod_hopper_design_shape(&of.solid, &wish);
-    assert_true(!critical.sticks && critical.judged.sigma_1 == critical.state.sigma_1);
+    assert_true(!critical.sticks && critical.design_state.sigma_1 == critical.state.sigma_1);
     check_relative(critical.built, critical.outlet, 1e-15);
     double last = critical.half_angle;
     for (int k = 0; k < 2; k++) {
@@ -329,7 +329,7 @@ static void the_half_angle_is_that_of_the_outlet_that_is_built(void **state)
         clod_hopper_wish given = wish;
         given.half_angle = at.half_angle;
         const clod_hopper_margin there = clod_hopper_margin_of(&of.solid, &given, at.built);
-        check_relative(there.state.sigma_1, at.judged.sigma_1, 1e-5);
+        check_relative(there.state.sigma_1, at.design_state.sigma_1, 1e-5);
         check_close(clod_hopper_limit_at(&of.solid, there.state.sigma_1, wish.tolerance) -
                         wish.margin,
                     at.half_angle, 1e-6);

@@ -64,7 +64,7 @@ class Hopper(hopper_case.Case):
 
         for shape, colour in (("cone", "#0072B2"), ("wedge", "#D55E00")):
             self.check_bars(root, colour, found[shape], 70, ("sigma_1_Pa", "strength_Pa"), 1e-3)
-            self.check_bars(root, colour, found[shape], 560, ("half_angle_deg", "judged_phi_w_deg"), 1)
+            self.check_bars(root, colour, found[shape], 560, ("half_angle_deg", "design_phi_w_deg"), 1)
 
     def check_bars(self, root, colour, found, left, keys, scale):
         """The bars of the panel whose frame begins at `left` end where the intervals do: read by

@@ -70,10 +70,10 @@ static void moves_belong_to_seeds(void **state)
         assert_true(isnan(clod_specimens_at(&self, 2, CLOD_SPECIMENS_STRENGTH)[s]));
     }
     // and back: what each said alone
-    check_close(clod_specimens_alone(22.0, low, 3, 0), 20.0, 1e-12);
-    check_close(clod_specimens_alone(33.0, high, 3, 2), 36.0, 1e-12);
-    assert_true(isnan(clod_specimens_alone(22.0, low, 3, 2)));
-    assert_true(isnan(clod_specimens_alone(50.0, NULL, 3, 2)));
+    check_close(clod_specimens_value_of(22.0, low, 3, 0), 20.0, 1e-12);
+    check_close(clod_specimens_value_of(33.0, high, 3, 2), 36.0, 1e-12);
+    assert_true(isnan(clod_specimens_value_of(22.0, low, 3, 2)));
+    assert_true(isnan(clod_specimens_value_of(50.0, NULL, 3, 2)));
     clod_specimens_fini(&self);
 }
 

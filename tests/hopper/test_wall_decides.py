@@ -1,4 +1,4 @@
-"""Half angles are judged at the outlet that is built, and a wall yield locus followed far below its points is told.
+"""Half angles are those at the outlet that is built, and a wall yield locus followed far below its points is told.
 
 The solid flows freely: its flow function meets the flow factor at some 0.02 kPa, where a line through wall friction points of 1
 to 16 kPa, whose intercept is 0.05 +- 0.04 kPa, says nothing."""
@@ -54,7 +54,7 @@ class WallDecides(hopper_case.Case):
         for rows in (FREE, STRAIGHT):
             self.start(rows)
             cone = self.found(*BUILT)["cone"]
-            at = cone["judged_at"]
+            at = cone["design_state"]
             self.assertEqual(at["outlet_m"], 0.5)
             line = 830 + (at["sigma_w_Pa"] - 2000) * 0.385
             self.assertAlmostEqual(at["phi_w_deg"], hopper_case.degrees(line, at["sigma_w_Pa"]), delta=1e-6)
@@ -82,7 +82,7 @@ class WallDecides(hopper_case.Case):
         found = self.found()
         for shape in ("cone", "wedge"):
             self.assertEqual(found[shape]["outcome"], "flows")
-            self.assertAlmostEqual(found[shape]["judged_at"]["sigma_1_Pa"], 3100.0, delta=1e-6)
+            self.assertAlmostEqual(found[shape]["design_state"]["sigma_1_Pa"], 3100.0, delta=1e-6)
         words = "for the smallest measured sigma_1, 3.100 kPa, and the critical outlet that of this half angle"
         self.assertEqual(len(self.told(found, "Cone", words)), 1)
         self.assertEqual(len(self.told(found, "Wedge", words)), 1)

@@ -3,11 +3,14 @@ regions, and an index is that of the grains in a snapshot."""
 
 import json
 import os
+import re
+import shutil
 import sys
 import unittest
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
-import clod  # noqa: E402
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report"))
+import pages  # noqa: E402
+from pages import clod  # noqa: E402
 
 try:
     import h5py
@@ -108,12 +111,62 @@ class PartMeasures(clod.Case):
             self.assertAlmostEqual(row[f"mixing_{name}.share"], share, delta=1e-6)
             self.assertAlmostEqual(row[f"mixing_{name}.lacey"], index, delta=1e-5)
 
+    def check_means(self, part):
+        """Those of the rows in the last third of the last phase, and deviations of ten blocks (docs/fields.md, docs/mixing.md)."""
+        table = clod.table(self.path(f"out/{part}.csv"))
+        first = len(table)
+        while first > 0 and table[first - 1]["phase"] == table[-1]["phase"]:
+            first -= 1
+        began, end = table[max(first - 1, 0)]["time"], table[-1]["time"]
+        since = end - (end - began) / 3
+        rows = [row for row in table if row["time"] > since - 1e-9]
+        blocks = numpy.minimum([(row["time"] - since) / (end - since) * 10 + 1e-6 for row in rows], 9).astype(int)
+        self.assertGreater(len(rows), 5)
+
+        def check(told, column):
+            values = numpy.array([row[column] for row in rows])
+            each = [values[blocks == b].mean() for b in range(10) if (blocks == b).any()]
+            self.assertAlmostEqual(told["mean"], values.mean(), delta=1e-12 * abs(values.mean()))
+            self.assertAlmostEqual(told["deviation"], numpy.std(each, ddof=1), delta=1e-9 * abs(values.mean()))
+
+        told = self.parts[part]
+        for one in (told["fields"]["whole"], told["mixing"]["number"], told["mixing"]["mass"]):
+            self.assertAlmostEqual(one["since_s"], since, delta=1e-9)
+            self.assertEqual((one["phase"], one["rows"]), (LAST[part], len(rows)))
+        whole = told["fields"]["whole"]
+        self.assertAlmostEqual(whole["volume_m3"], VOLUME, delta=1e-12)
+        check(whole["density_kg_per_m3"], "field_whole.density")
+        check(whole["pressure_Pa"], "field_whole.pressure")
+        for c, name in enumerate(("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz")):
+            check({key: whole["contact_stress_Pa"][key][c] for key in ("mean", "deviation")}, f"field_whole.contact_stress_{name}")
+        for name in ("number", "mass"):
+            one = told["mixing"][name]
+            check(one, f"mixing_{name}.lacey")
+            for key in ("lacey", "variance", "random_variance", "share", "grains_per_cell"):
+                self.assertEqual(one[key], table[-1][f"mixing_{name}.{key}"])
+            self.assertEqual(one["by"], name)
+
+    def check_tables(self, page):
+        """A table for each field and index, a column for each part; a grid has none."""
+        tables = {title: pages.titled(text) for title, text in re.findall(r"<h3>([^<]*)</h3>\s*(<div class=\"scroll\"><table.*?</table>)", page, re.S)}
+        self.assertEqual({title for title in tables if re.match("Field|Mixing", title)}, {"Field whole", "Mixing number", "Mixing mass"})
+        for title, number in (("Field whole", lambda part: part["fields"]["whole"]["pressure_Pa"]["mean"]),
+                              ("Mixing mass", lambda part: part["mixing"]["mass"]["mean"])):
+            rows = {row[0][1]: row[1:] for row in tables[title][""]}
+            self.assertEqual([text for _, text in rows[""]], list(self.parts))
+            self.assertEqual([text for _, text in rows["phase"]], [LAST[part] for part in self.parts])
+            cells = rows["pressure [Pa]" if title == "Field whole" else "mean"]
+            for (whole, text), part in zip(cells, self.parts.values()):
+                self.assertAlmostEqual(float(whole.split()[0]), number(part), delta=1e-6 * abs(number(part)))
+                self.assertIn("±", text)
+
     def test_grids_and_mixing(self):
         mass = json.loads(clod.run("check", self.path("case.yaml"), "--json").stdout)["mass_kg"]
         for part in LAST:
             with self.subTest(part):
                 self.check_grid(part, mass)
                 self.check_mixing(part)
+                self.check_means(part)
         done = clod.run("report", self.path("out"))
         self.assertEqual(done.returncode, 0, done.stderr)
         page = clod.read(self.path("out/report.html")).decode()
@@ -122,6 +175,19 @@ class PartMeasures(clod.Case):
         self.assertIn("Plane y = -2.5 mm: layer 12 of 24 of the grid's cells across y", page)
         self.assertIn(f"Mean of {told['samples']} samples from {told['since_s']:.6g} s on; cells of 5 mm", page)
         self.assertTrue(os.path.exists(self.path("out/report-field-grid-speed.svg")))
+        self.check_compared(page)
+        self.check_tables(page)
+
+    def check_compared(self, page):
+        """Beside itself: the numbers of its own page, twice, and what is shown."""
+        shutil.copytree(self.path("out"), self.path("again"))
+        done = clod.run("compare", "out", "again", "-o", "both.html", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        both, own = pages.load(self.path("both.html")), pages.Page(page).figures
+        self.assertIn("Means over the phase preshear, with which the part ends: preshear. All runs have one scale", "".join(both.words))
+        for name in ("density", "pressure", "speed", "coordination"):
+            for run in ("out", "again"):
+                self.assertEqual(both.figures[f"field-grid-{name}-{run}"]["map"], own[f"field-grid-{name}"]["map"])
 
 
 if __name__ == "__main__":

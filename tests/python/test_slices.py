@@ -302,6 +302,41 @@ class Slices(clod.Case):
         self.assertEqual(done.returncode, 2)
         self.assertIn("long/field_bed.hdf.series is damaged: it is not the list of frames that clod writes.", done.stderr)
 
+    def test_parts_of_tests(self):
+        """Grids of the first part that shears or crushes, on one scale: 3 times the pressure and twice the speed; fill and points are not shown."""
+        rest = {"part": "fill", "fields": {"bed": {"phase": "settle"}}}
+        for kind, make, phase in (("ring", pages.shear, "preshear"), ("press", pages.uniaxial, "crush"), ("liner", pages.wall, "shear")):
+            for name, scale, corner in (("one", 1.0, CORNER), ("two", 3.0, CORNER), ("moved", 1.0, (0.0, 0.0, 0.0))):
+                folder = f"{kind}-{name}"
+                make(self.path(folder))
+                with open(self.path(f"{folder}/case-complete.yaml"), "a") as file:
+                    file.write(COMPLETE.split("\n", 1)[1])  # gravity: the plane is vertical
+                part = f"seed-{int(scale)}-{phase}"
+                with open(self.path(f"{folder}/summary.json")) as file:
+                    summary = json.load(file)
+                grid = {"phase": phase, "since_s": 0.5 * scale, "samples": 21, "cells": list(CELLS), "corner_m": list(corner),
+                        "used_cells": 118, "cell_m": CELL, "width_m": 0.012}
+                summary["parts"] = [rest, {"part": part, "fields": {"bed": grid}}, {"part": "last", "fields": {"other": grid}}]
+                pages.write(self.path(folder), summary__json=summary)
+                self.cells = [(i, 2, k) for k in range(4) for i in range(6) if (i, k) != (2, 3)]
+                self.pressure = [scale * (100.0 + 10 * i + k) for i, j, k in self.cells]
+                self.write_bed(f"{folder}/{part}_field_bed.hdf", 1.0 if scale == 1.0 else 2.0)
+            names = [f"{kind}-{name}" for name in ("one", "two", "moved")]
+            page = self.compare(*names)
+            self.assertEqual([name for name in page.figures if name.startswith("field-")],
+                             [f"field-bed-{value}-{run}" for value in ("density", "pressure", "speed", "coordination") for run in names[:2]])
+            self.assertEqual(self.said(page), f"Means over the phase {phase}, with which the part ends: seed-1-{phase} of {kind}-one, "
+                             f"seed-3-{phase} of {kind}-two. All runs have one scale of colours for each value, and one of arrows. "
+                             f"Left out: {kind}-moved (its grid is another, 6 x 5 x 4 cells of 5 mm from (0, 0, 0) mm).")
+            self.assertIn("Mean of 21 samples from 1.5 s on", page.text)
+            for run, scale in zip(names, (1.0, 3.0)):
+                given = page.figures[f"field-bed-pressure-{run}"]["map"]
+                self.assertEqual([float(x) for x in given["range"]], [0.0, 3.0 * 153.0])
+                self.assertEqual([number and float(number) for number in given["numbers"]],
+                                 [None if k == 20 else scale * (100.0 + 10 * (k % 6) + k // 6) for k in range(24)])
+            for run, told in zip(names, ("0.5", "1")):
+                self.assertEqual(page.figures[f"field-bed-speed-{run}"]["curves"][0]["name"], f"velocity in the plane, longest arrow {told} m/s")
+
     def test_a_run(self):
         """All numbers of a real run's slice are those of its file, at their places; blank cells are those that are not in it."""
         pages.field_run(self.path("run"))

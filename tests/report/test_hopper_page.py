@@ -11,17 +11,17 @@ import pages
 from pages import clod
 
 # of the page's tables: what JSON calls it, people's unit over JSON's, digits
-ROWS = {"limit of mass flow in a cone": ("limit_deg", 1, 1), "half angle": ("half_angle_deg", 1, 1),
-        "critical outlet": ("outlet_m", 1e3, 1), "flow factor ff": ("flow_factor", 1, 3),
-        "critical sigma_1": ("sigma_1_Pa", 1e-3, 3), "critical strength f_c": ("strength_Pa", 1e-3, 3),
-        "phi_e there": ("phi_e_deg", 1, 1), "wall friction angle there": ("phi_w_deg", 1, 1),
-        "bulk density there": ("rho_b_kg_m3", 1, 0), "H(theta)": ("arch_thickness", 1, 3),
+ROWS = {"limit of mass flow in a cone [deg]": ("limit_deg", 1, 1), "half angle [deg]": ("half_angle_deg", 1, 1),
+        "critical outlet [mm]": ("outlet_m", 1e3, 1), "flow factor ff": ("flow_factor", 1, 3),
+        "critical sigma_1 [kPa]": ("sigma_1_Pa", 1e-3, 3), "critical strength f_c [kPa]": ("strength_Pa", 1e-3, 3),
+        "phi_e there [deg]": ("phi_e_deg", 1, 1), "wall friction angle there [deg]": ("phi_w_deg", 1, 1),
+        "bulk density there [kg/m3]": ("rho_b_kg_m3", 1, 0), "H(theta)": ("arch_thickness", 1, 3),
         "stress over strength": ("arching_margin", 1, 2)}
-CURVES = {"f_c over sigma_1": ("flow_function", "sigma_1_Pa", "f_c_Pa", "f_c", 1e-3, 3),
-          "phi_e over sigma_1": ("phi_e", "sigma_1_Pa", "phi_e_deg", "phi-e", 1, 2),
-          "phi_t over sigma_1": ("phi_t", "sigma_1_Pa", "phi_t_deg", "phi-t", 1, 2),
-          "rho_b over sigma_1": ("rho_b", "sigma_1_Pa", "rho_b_kg_m3", "bulk-density", 1, 1),
-          "tau_w over sigma_w": ("wall", "sigma_w_Pa", "tau_w_Pa", "wall-yield-locus", 1e-3, 3)}
+CURVES = {"f_c [kPa] over sigma_1": ("flow_function", "sigma_1_Pa", "f_c_Pa", "f_c", 1e-3, 3),
+          "phi_e [deg] over sigma_1": ("phi_e", "sigma_1_Pa", "phi_e_deg", "phi-e", 1, 2),
+          "phi_t [deg] over sigma_1": ("phi_t", "sigma_1_Pa", "phi_t_deg", "phi-t", 1, 2),
+          "rho_b [kg/m3] over sigma_1": ("rho_b", "sigma_1_Pa", "rho_b_kg_m3", "bulk-density", 1, 1),
+          "tau_w [kPa] over sigma_w": ("wall", "sigma_w_Pa", "tau_w_Pa", "wall-yield-locus", 1e-3, 3)}
 
 
 class HopperPage(clod.Case):
@@ -51,6 +51,7 @@ class HopperPage(clod.Case):
                 for told, end in zip(rows[name], ("value", "low", "high")):
                     self.cell(told, found[key][end], scale, digits)
         times = next(name for name in rows if name.startswith("outlet by particles"))
+        self.assertRegex(times, r" times \[mm\]$")
         self.cell(rows[times][0], found["particle_outlet_m"], 1e3, 1)
 
     def test_numbers_are_those_of_the_design(self):
@@ -59,15 +60,16 @@ class HopperPage(clod.Case):
         for head, shape in (("Cone, round outlet", "cone"), ("Wedge, slot at least 3 times as long", "wedge")):
             self.assert_shape(tables[head], found[shape])
         holes = {row[0][1]: row[1:4] for row in tables["Rathole"][1:]}
-        for name, key in (("diameter, emptying (least)", "emptying_m"), ("diameter, after filling (most)", "filling_m")):
+        for name, key in (("diameter, emptying (least) [mm]", "emptying_m"), ("diameter, after filling (most) [mm]", "filling_m")):
             for told, end in zip(holes[name], ("value", "low", "high")):
                 self.cell(told, found["rathole"][key][end], 1e3, 1)
-        self.cell(holes["vertical stress after filling"][0], found["rathole"]["filling_stress_Pa"], 1e-3, 3)
-        causes = {row[0][1]: row[1:3] for row in tables["share of the variance of the critical outlet"][1:]}
+        self.cell(holes["vertical stress after filling [kPa]"][0], found["rathole"]["filling_stress_Pa"], 1e-3, 3)
+        causes = {row[0][1]: row[1:3] for row in tables["share of the variance of the critical outlet [%]"][1:]}
         for name, key in (("flow function", "flow_function"), ("wall friction", "wall"),
                           ("effective angle phi_e", "phi_e"), ("bulk density", "rho_b")):
             for told, shape in zip(causes[name], ("cone", "wedge")):
                 self.cell(told, found[shape]["outlet_variance_shares"][key], 100, 1)
+        self.assertEqual([text for _, text in tables["curve"][0]], ["curve", "stress [kPa]", "error [kPa]", "value", "error"])
         measured = tables["curve"][1:]
         wanted = [(name, point) for name, of in CURVES.items() for point in found["measured"][of[0]]]
         self.assertEqual([row[0][1] for row in measured], [name for name, _ in wanted])
@@ -77,10 +79,10 @@ class HopperPage(clod.Case):
                                           (row[4], "y_error", scale, digits)):
                 self.cell(told, point[key], by, places)
 
-    def test_where_the_half_angle_is_judged(self):
+    def test_the_design_state(self):
         """The template's cone is for the outlet of 500 mm that it has, not for its critical one."""
         page, found = self.design()
-        at = found["cone"]["judged_at"]
+        at = found["cone"]["design_state"]
         self.assertEqual(at["outlet_m"], 0.5)
         self.assertIn(f"Limit and half angle: at the outlet of 500.0 mm, where sigma_1 is {1e-3 * at['sigma_1_Pa']:.3f} kPa, phi_e "
                       f"{at['phi_e_deg']:.1f} and the wall friction angle {at['phi_w_deg']:.1f} deg.", page.text)
@@ -167,7 +169,7 @@ class HopperPage(clod.Case):
         self.assertRegex(cards[4][3], r"do not flow; [0-9.]+ % are perhaps no mass flow$")
         rows = pages.titled(page.text)["curve"][-2:]
         self.assertEqual([[text for _, text in row] for row in rows],
-                         [["rho_b", "-", "-", "1250.0", "0.0", "kg/m3"], ["phi_w", "-", "-", "20.00", "1.00", "deg"]])
+                         [["rho_b [kg/m3]", "-", "-", "1250.0", "0.0"], ["phi_w [deg]", "-", "-", "20.00", "1.00"]])
         for name in ("bulk-density", "wall-yield-locus"):
             self.assertNotIn("measured", [curve["name"] for curve in page.figures[name]["curves"]])
         page, found = self.design("case.yaml", "--set", "wall_friction.angle=60 deg", "--set", "wedge.half_angle=auto")

@@ -16,6 +16,7 @@ import time
 import unittest
 
 BINARY = os.environ.get("CLOD_BINARY", "clod")
+IO_FAULTS = os.path.join(os.path.dirname(os.path.abspath(BINARY)), "io_faults.so")  # support/preload/io_faults.c
 SANITIZED = os.environ.get("CLOD_SANITIZED", "") == "1"
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # In memory where there is such a folder: some thousand files are brought to the disk.
