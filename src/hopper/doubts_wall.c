@@ -110,7 +110,7 @@ static void warn_friction(clod_hopper *self, const char *name, const clod_hopper
 {
     const clod_hopper_design *at = &found->design;
     const clod_curve *phi_e = &self->solid.phi_e;
-    const double sigma_1 = at->judged.sigma_1;
+    const double sigma_1 = at->design_state.sigma_1;
     if (phi_e->count < 2 || sigma_1 >= phi_e->points[0].x) {
         return;
     }
@@ -123,7 +123,7 @@ static void warn_friction(clod_hopper *self, const char *name, const clod_hopper
             &self->warnings,
             "%s: phi_e rises towards small stresses, to %.1f deg at the smallest measured sigma_1, "
             "%.3f kPa, and is held there below it. If it goes on as between the two smallest, it is "
-            "%.1f deg at %.3f kPa, where the half angle is judged, and the limit of mass flow in a "
+            "%.1f deg at %.3f kPa, where the half angle must be right, and the limit of mass flow in a "
             "cone %.1f deg in place of %.1f deg. Measure at smaller stresses, or stay below %.1f deg.",
             name, phi_e->points[0].y / DEGREE, 1e-3 * phi_e->points[0].x, there.y / DEGREE,
             1e-3 * sigma_1, limit / DEGREE, at->limit / DEGREE,

@@ -158,7 +158,7 @@ class WallDecides(hopper_case.Case):
         words = "phi_e rises towards small stresses"
         self.start(rows.format(46, 34, 33), "angle: 12 deg")
         found = self.found(*built)
-        sigma_1, held = 1e-3 * found["cone"]["judged_at"]["sigma_1_Pa"], found["cone"]["limit_deg"]["value"]
+        sigma_1, held = 1e-3 * found["cone"]["design_state"]["sigma_1_Pa"], found["cone"]["limit_deg"]["value"]
         self.assertLess(sigma_1, 2.5)
         on = 46 + 3 * (4 - sigma_1)
         self.start(rows.format(on, on, on), "angle: 12 deg")
