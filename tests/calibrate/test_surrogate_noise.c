@@ -102,8 +102,8 @@ static void scatter(clod_surrogate_runs *runs, double *u, double *y, size_t pack
                     double slope, uint64_t set)
 {
     for (size_t i = 0; i < runs->count; i++) {
-        const double points = (double)(runs->count / packings);
-        u[i] = ((double)(i / packings) + 0.5) / points;
+        const size_t points = runs->count / packings, point = i / packings;
+        u[i] = ((double)point + 0.5) / (double)points;
         y[i] = 1.0 + u[i] + sin(3.0 * u[i]) +
                0.1 * exp(0.5 * slope * (u[i] - 0.5)) *
                    clod_random_normal(11, CLOD_RANDOM_TEST, 1000 * set + i, 0);
