@@ -5,6 +5,7 @@
  */
 
 #include <math.h>
+#include <stdbool.h>
 
 typedef struct clod_vec3 {
     double x, y, z;
@@ -81,4 +82,10 @@ static inline clod_vec3 clod_vec3_rotate(clod_vec3 a, clod_vec3 axis, double ang
     const double s = sin(angle);
     const clod_vec3 turned = clod_vec3_axpy(clod_vec3_scale(a, c), s, clod_vec3_cross(axis, a));
     return clod_vec3_axpy(turned, clod_vec3_dot(axis, a) * (1.0 - c), axis);
+}
+
+/** Whether two vectors are the same numbers. */
+static inline bool clod_vec3_same(clod_vec3 a, clod_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
 }

@@ -67,25 +67,22 @@ static bool map_materials(moving *self, clod_status *status)
     return true;
 }
 
-static bool same_vector(clod_vec3 a, clod_vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 static bool same_shape(const clod_shape *a, const clod_shape *b)
 {
-    bool same = a->kind == b->kind && a->side == b->side && same_vector(a->center, b->center) &&
-                a->inner == b->inner && a->outer == b->outer;
+    bool same = a->kind == b->kind && a->side == b->side &&
+                clod_vec3_same(a->center, b->center) && a->inner == b->inner &&
+                a->outer == b->outer;
     for (int k = 0; k < 3; k++) {
-        same = same && same_vector(a->axis[k], b->axis[k]) && a->half[k] == b->half[k];
+        same = same && clod_vec3_same(a->axis[k], b->axis[k]) && a->half[k] == b->half[k];
     }
     return same;
 }
 
 static bool same_wall(const clod_wall *a, const clod_wall *b)
 {
-    bool same = a->shape_count == b->shape_count && same_vector(a->spin_axis, b->spin_axis) &&
-                same_vector(a->spin_point, b->spin_point);
+    bool same = a->shape_count == b->shape_count &&
+                clod_vec3_same(a->spin_axis, b->spin_axis) &&
+                clod_vec3_same(a->spin_point, b->spin_point);
     for (int32_t s = 0; same && s < a->shape_count; s++) {
         same = same_shape(&a->shapes[s], &b->shapes[s]);
     }
@@ -94,7 +91,7 @@ static bool same_wall(const clod_wall *a, const clod_wall *b)
 
 static bool same_oscillation(const clod_oscillation *a, const clod_oscillation *b)
 {
-    return same_vector(a->direction, b->direction) && a->amplitude == b->amplitude &&
+    return clod_vec3_same(a->direction, b->direction) && a->amplitude == b->amplitude &&
            a->angle == b->angle && a->frequency == b->frequency && a->phase == b->phase;
 }
 

@@ -125,7 +125,8 @@ typedef struct clod_step {
     uint8_t *is_near;           ///< scratch [shapes]: whether grains are near
     bool walls_finite;          ///< forces on walls in the last step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
-    clod_passed *passed; ///< [threads][planes] since the state has it; NULL: there are no planes
+    clod_passed
+        *passed; ///< [threads][planes] since the state has it; NULL: there are no planes
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken
     int64_t steps; ///< that the advance going on is to make
