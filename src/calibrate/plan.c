@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "calibrate/params.h"
 #include "calibrate/plan_check.h"
+#include "calibrate/plan_loci.h"
 #include "config/file_kind.h"
 #include "config/load.h"
 #include "config/yaml.h"
@@ -107,6 +108,7 @@ void clod_plan_fini(clod_plan *self)
         clod_curve_fini(&first->curve);
         clod_memory_free(first);
     }
+    clod_plan_loci_free(self);
     clod_memory_free(self->path);
     clod_memory_free(self->text);
     clod_load_free(&CLOD_TABLE_PLAN, self);

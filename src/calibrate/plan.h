@@ -111,9 +111,10 @@ typedef struct clod_plan {
     clod_plan_sampling sampling;
     clod_plan_target *targets; ///< [target_count] owned
     size_t target_count;
-    clod_plan_curve *curves;    ///< owned list; NULL: none
-    char *path, *text;          ///< owned: of its file
-    clod_warning_list warnings; ///< of its measured tables: wrong units or columns, as a rule
+    clod_plan_curve *curves;      ///< owned list; NULL: none
+    struct clod_plan_locus *loci; ///< owned list, of measured yield loci (plan_loci.h)
+    char *path, *text;            ///< owned: of its file
+    clod_warning_list warnings;   ///< of its measured tables: wrong units or columns, as a rule
 } clod_plan;
 
 /**
