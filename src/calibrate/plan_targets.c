@@ -258,4 +258,7 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
     clod_plan_check_conflicts(loader, self);
     name_apart(self);
     number_tables(self);
+    if (loader->report->count == 0) {
+        clod_plan_warn_doubts(self);
+    }
 }
