@@ -173,12 +173,16 @@ class Calibrate(bounce.Bounce):
 
     def test_check_estimates_points_and_warns_of_a_small_budget(self):
         told = self.calibrate(PLAN, "--check", "-j", "2").stderr
-        self.assertRegex(told, "a point takes [0-9.e-]+ min with 2 runs side by side, and 9 points")
+        self.assertRegex(told, "a point takes [0-9.e-]+ s with 2 runs side by side, and 9 points")
         told = self.calibrate(PLAN.replace("points: 9", "budget: 1 us"), "--check", "-j", "1").stderr
-        self.assertIn("WARNING: the budget of 1.67e-08 min looks too small", told)
+        self.assertIn("WARNING: the budget of 1e-06 s looks too small", told)
         self.assertIn("so 0 fit, and 1 parameter needs at least 5", told)
         told = self.calibrate(PLAN.replace("points: 9", "budget: 1 d"), "--check").stderr
-        self.assertIn("about 1000 points fit the budget of 1.44e+03 min", told)
+        self.assertIn("about 1000 points fit the budget of 24 h 00 min", told)
+        told = self.calibrate(PLAN.replace("points: 9", "budget: 48 h"), "--check").stderr
+        self.assertIn("points fit the budget of 2.0 days", told)
+        told = self.calibrate(PLAN.replace("points: 9", "budget: 25 min"), "--check").stderr
+        self.assertIn("points fit the budget of 25 min", told)
         self.assertNotIn("WARNING", told)
         self.assertFalse(os.path.exists(self.path("run")))
 
@@ -192,7 +196,7 @@ class Calibrate(bounce.Bounce):
         self.change_row("p000-1", seconds=30.0)
         self.change_row("p000-2", seconds=10.0)
         done = self.calibrate(PLAN.replace("points: 9", "budget: 125 s"), "-o", "out", "-j", "2")
-        self.assertIn("6 points fit", done.stderr)
+        self.assertIn("6 points fit into 125 s", done.stderr)
         self.assertEqual(self.found()["points"], 6)
         self.assertEqual(self.row("p000-1")["seconds"], 30.0)
 
@@ -212,6 +216,7 @@ class Calibrate(bounce.Bounce):
 
     def test_wrong_plans_are_refused_with_their_places(self):
         self.assertIn("in order", self.calibrate(PLAN, "--check").stdout)
+        self.refuse(("points: 9", "budget: 25"), words=["budget: 25 needs a unit of time, for instance 25 h\n"])
         self.refuse(("test: bounce", "test: bonce"),
                     words=["plan.yaml:9:12: targets.0.test: there is no test bonce; did you mean bounce?",
                            "            ^~~~~"])
