@@ -311,6 +311,30 @@ class Calibrate(bounce.Bounce):
         done = self.calibrate(PLAN.replace("to: 0.9", "to: 0.8"), "-o", "out", code=2)
         self.assertIn("out has runs of another plan", done.stderr)
 
+    def test_set_changes_keys_as_an_edit_of_the_plan_does(self):
+        """The bytes are those of the edited plan; other ranges need another folder, other errors do not."""
+        short = PLAN.replace("points: 9", "points: 6").replace("error: 4e-6", "error: 8e-6")
+        self.calibrate(short, "-o", "edited")
+        settings = ["--set", "points=6", "-S", "targets.0.error=8e-6"]
+        self.calibrate(PLAN, "-o", "out", *settings)
+        for name in RESULTS:
+            self.assertEqual(self.result(name), self.result(name, "edited"), name)
+        text = clod.read(self.path("out/plan.yaml")).decode()
+        self.assertEqual(text, "# --set points=6\n# --set targets.0.error=8e-6\n" + PLAN)
+
+        before = self.row("p000-1")
+        done = self.calibrate(PLAN, "-o", "out", *settings, "--set", "parameters.e.to=0.8", code=2)
+        self.assertIn("out has runs of another plan", done.stderr)
+        self.calibrate(PLAN, "-o", "out", "--set", "points=6")
+        self.assertEqual(self.row("p000-1"), before)
+        width = {folder: self.found(folder)["parameters"]["e"] for folder in ("out", "edited")}
+        self.assertLess(width["out"]["high"] - width["out"]["low"], width["edited"]["high"] - width["edited"]["low"])
+
+        done = self.calibrate(PLAN, "--check", "--set", "targets.1.error=8e-6", code=2)
+        self.assertIn("--set targets.1.error=8e-6: the list has no element \"1\"; it has 1, counted from 0", done.stderr)
+        done = self.calibrate(PLAN, "--check", "--set", "targets.0.test=bonce", code=2)
+        self.assertIn("--set targets.0.test=bonce: targets.0.test: there is no test bonce; did you mean bounce?", done.stderr)
+
     def test_case_that_fails_in_the_middle_ends_it(self):
         with open(CASE) as file:
             text = file.read()

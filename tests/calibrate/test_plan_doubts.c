@@ -62,7 +62,7 @@ static void load_two(void **state, const char *targets, clod_plan *plan)
              "parameters: {p: {key: " ROLLING ", from: 0.1, to: 0.2}}\ntargets: [{test: %s}]\n",
              targets);
     lab_write_file(state, "plan.yaml", text);
-    if (!clod_plan_load(temp_path(path, state, "plan.yaml"), plan, &status)) {
+    if (!clod_plan_load(temp_path(path, state, "plan.yaml"), NULL, 0, plan, &status)) {
         fail_msg("%s", status.text);
     }
 }
