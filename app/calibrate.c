@@ -10,15 +10,15 @@
 #include <stdlib.h>
 
 #include "app.h"
-#include "arguments.h"
 #include "calibrate/calibrate.h"
+#include "one_case.h"
 
 #if CLOD_GSL
 
 enum { KEY_CHECK = 256 };
 
 typedef struct request {
-    const char *path;
+    clod_one_case of;
     clod_calibrate_options options;
 } request;
 
@@ -38,6 +38,8 @@ static const struct argp_option OPTIONS[] = {
      "only check the plan, the tables, and the cases at all corners of the ranges and at every "
      "point of the largest design, and estimate what a point takes",
      0},
+    {"set", 'S', "KEY=VALUE", 0,
+     "another value for a key of the plan, e.g. budget=\"2 h\"; may be given often", 0},
     {0},
 };
 
@@ -64,14 +66,15 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         self->options.dry = true;
         return 0;
     case ARGP_KEY_ARG:
-        if (self->path != NULL) {
+        if (self->of.path != NULL) {
             argp_error(state, "one plan at a time");
         }
-        self->path = argument;
-        return 0;
+        return clod_one_case_parse(&self->of, key, argument, state);
     case ARGP_KEY_NO_ARGS:
         argp_error(state, "which plan? clod new calibrate writes an example");
         return 0;
+    case 'S':
+        return clod_one_case_parse(&self->of, key, argument, state);
     default:
         return ARGP_ERR_UNKNOWN;
     }
@@ -98,9 +101,11 @@ static int run(request *self)
     self->options.program = "/proc/self/exe"; // of the child, too: the same clod, even rebuilt
     self->options.stop = &stop_signal;
     self->options.tell = tell;
+    self->options.overrides = self->of.overrides;
+    self->options.override_count = self->of.override_count;
     char *report;
     clod_status status = {CLOD_OK, ""};
-    const bool good = clod_calibrate_run(self->path, &self->options, &report, &status);
+    const bool good = clod_calibrate_run(self->of.path, &self->options, &report, &status);
     int result = EXIT_SUCCESS;
     if (good && report != NULL && (fputs(report, stdout) == EOF || fflush(stdout) != 0)) {
         fputs(
@@ -134,14 +139,16 @@ int clod_app_calibrate(int argc, char **argv)
             "interruption, the same command continues.",
     };
     request self = {0};
-    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+    if (!clod_one_case_init(&self.of, &argp, argc, argv, &self)) {
         return CLOD_FAILED;
     }
     handle(SIGINT);
     handle(SIGTERM);
     handle(SIGHUP);
     signal(SIGCHLD, SIG_DFL); // who ignores it gets no end of a process told
-    return run(&self);
+    const int result = run(&self);
+    free(self.of.overrides);
+    return result;
 }
 
 #else

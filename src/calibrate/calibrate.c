@@ -156,7 +156,8 @@ bool clod_calibrate_run(const char *path, const clod_calibrate_options *options,
     }
     *report = NULL;
     clod_plan plan;
-    bool good = clod_plan_load(path, &plan, status);
+    bool good =
+        clod_plan_load(path, options->overrides, options->override_count, &plan, status);
     char *standard =
         good && options->directory == NULL ? clod_folder_default(path, status) : NULL;
     const char *directory = options->directory != NULL ? options->directory : standard;

@@ -14,7 +14,10 @@ extern "C" {
 #endif
 
 typedef struct clod_calibrate_options {
-    const char *program;   ///< path of clod, which is run for every point
+    const char *program; ///< path of clod, which is run for every point
+    const char *const
+        *overrides; ///< [override_count] key.path=value, in place of what the plan says
+    size_t override_count;
     const char *directory; ///< of runs and results; NULL: run/NAME for NAME.yaml
     int workers;           ///< runs side by side; 0: one for each processor
     bool dry;              ///< only check plan, cases and tables

@@ -6,6 +6,9 @@
 #include "base/memory.h"
 #include "base/plural.h"
 #include "clod/check.h"
+#include "sim/check_testers.h"
+
+#define WHOLE 10.0 ///< s, from which on whole ones are enough
 
 bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
                         clod_status *status)
@@ -25,27 +28,38 @@ bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
     return good;
 }
 
+const char *clod_estimate_clock(double seconds, char words[CLOD_ESTIMATE_WORDS])
+{
+    if (seconds >= WHOLE) {
+        return clod_check_clock_words(seconds, words);
+    }
+    snprintf(words, CLOD_ESTIMATE_WORDS, "%.2g s", seconds);
+    return words;
+}
+
 void clod_estimate_text(const clod_estimate *self, const clod_plan *plan, int workers,
                         char *text, size_t size)
 {
-    char point[128];
+    char point[128], words[CLOD_ESTIMATE_WORDS], most[CLOD_ESTIMATE_WORDS];
     snprintf(point, sizeof point,
-             "by the estimate of clod check a point takes %.2g min with %d run%s side by side",
-             self->each / 60.0, workers, clod_plural(workers));
+             "by the estimate of clod check a point takes %s with %d run%s side by side",
+             clod_estimate_clock(self->each, words), workers, clod_plural(workers));
     if (plan->points > 0) {
-        snprintf(text, size, "%s, and %.0f point%s %.2g min", point, self->points,
-                 clod_plural(self->points), self->points * self->each / 60.0);
+        snprintf(text, size, "%s, and %.0f point%s %s", point, self->points,
+                 clod_plural(self->points),
+                 clod_estimate_clock(self->points * self->each, words));
     } else if (self->points < (double)self->least) {
         snprintf(text, size,
-                 "WARNING: the budget of %.3g min looks too small: %s, so %.0f fit%s, and %zu "
-                 "parameter%s need%s at least %zu: %.2g min. Smaller cells, softer contacts or "
+                 "WARNING: the budget of %s looks too small: %s, so %.0f fit%s, and %zu "
+                 "parameter%s need%s at least %zu: %s. Smaller cells, softer contacts or "
                  "fewer seeds make runs shorter.",
-                 plan->budget / 60.0, point, self->points, self->points == 1.0 ? "s" : "",
-                 plan->parameter_count, clod_plural((double)plan->parameter_count),
+                 clod_estimate_clock(plan->budget, words), point, self->points,
+                 self->points == 1.0 ? "s" : "", plan->parameter_count,
+                 clod_plural((double)plan->parameter_count),
                  plan->parameter_count == 1 ? "s" : "", self->least,
-                 (double)self->least * self->each / 60.0);
+                 clod_estimate_clock((double)self->least * self->each, most));
     } else {
-        snprintf(text, size, "%s: about %.0f points fit the budget of %.3g min", point,
-                 self->points, plan->budget / 60.0);
+        snprintf(text, size, "%s: about %.0f points fit the budget of %s", point, self->points,
+                 clod_estimate_clock(plan->budget, words));
     }
 }

@@ -23,6 +23,11 @@ typedef struct clod_estimate {
 bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
                         clod_status *status);
 
+#define CLOD_ESTIMATE_WORDS 32
+
+/** A time on the clock in words: "0.44 s", "152 s", "25 min", "2 h 05 min", "2.0 days". */
+const char *clod_estimate_clock(double seconds, char words[CLOD_ESTIMATE_WORDS]);
+
 /** It in words; a warning where the budget is too small for the parameters. */
 void clod_estimate_text(const clod_estimate *self, const clod_plan *plan, int workers,
                         char *text, size_t size);

@@ -188,8 +188,8 @@ static const clod_param ROWS[] = {
 static void put_head(FILE *out)
 {
     fputs(
-        "The plan that `clod calibrate` reads ([howto/calibrate.md](howto/calibrate.md)); units and names as in a "
-        "case file.\n",
+        "The plan that `clod calibrate` reads ([howto/calibrate.md](howto/calibrate.md)); units, names and "
+        "`--set` as in a case file.\n",
         out);
 }
 

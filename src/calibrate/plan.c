@@ -7,10 +7,13 @@
 
 #include "base/input.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "calibrate/params.h"
 #include "calibrate/plan_check.h"
+#include "calibrate/plan_loci.h"
 #include "config/file_kind.h"
 #include "config/load.h"
+#include "config/override.h"
 #include "config/yaml.h"
 
 size_t clod_plan_least_points(size_t parameters)
@@ -56,16 +59,38 @@ static void build(clod_loader *loader, clod_plan *self)
     }
 }
 
-static bool read_text(const char *path, const char *text, size_t length, clod_plan *self,
+/** The text of the file, below the settings that replace some of it as comments; owned, NULL without memory. */
+static char *join(const char *text, const char *const *overrides, size_t count)
+{
+    clod_text made;
+    FILE *out = clod_text_open(&made);
+    if (out == NULL) {
+        return NULL;
+    }
+    for (size_t i = 0; i < count; i++) {
+        fputs("# --set ", out);
+        for (const char *at = overrides[i]; *at != '\0'; at++) {
+            fputc(*at == '\n' || *at == '\r' ? ' ' : *at, out);
+        }
+        fputc('\n', out);
+    }
+    fputs(text, out);
+    return clod_text_close(&made);
+}
+
+static bool read_text(const clod_report *of, size_t overrides, clod_plan *self,
                       clod_status *status)
 {
-    clod_report report = {.name = path, .text = text, .length = length};
+    clod_report report = *of;
     clod_arena arena = {0};
     char folder[PATH_MAX];
-    clod_load_folder(path, folder);
+    clod_load_folder(of->name, folder);
     clod_loader loader = {.report = &report, .arena = &arena, .folder = folder};
-    loader.root = clod_yaml_read(&arena, text, length, 0, &report);
+    loader.root = clod_yaml_read(&arena, of->text, of->length, 0, &report);
     if (loader.root != NULL) {
+        for (size_t i = 0; i < overrides; i++) {
+            clod_override_apply(&loader, i);
+        }
         build(&loader, self);
     } else if (report.count == 0) {
         const clod_place start = {.line = 1, .column = 1, .width = 1};
@@ -77,7 +102,8 @@ static bool read_text(const char *path, const char *text, size_t length, clod_pl
     return good;
 }
 
-bool clod_plan_load(const char *path, clod_plan *self, clod_status *status)
+bool clod_plan_load(const char *path, const char *const *overrides, size_t override_count,
+                    clod_plan *self, clod_status *status)
 {
     *self = (clod_plan){0};
     char *text;
@@ -86,10 +112,12 @@ bool clod_plan_load(const char *path, clod_plan *self, clod_status *status)
         return false;
     }
     self->path = clod_memory_text(path);
-    self->text = clod_memory_text(text);
+    self->text = join(text, overrides, override_count);
+    const clod_report report = {
+        .name = path, .text = text, .length = length, .overrides = overrides};
     const bool good = ((self->path != NULL && self->text != NULL) ||
                        clod_status_fail(status, CLOD_FAILED, "No memory for the plan.")) &&
-                      read_text(path, text, length, self, status);
+                      read_text(&report, override_count, self, status);
     clod_memory_free(text);
     return good;
 }
@@ -107,6 +135,7 @@ void clod_plan_fini(clod_plan *self)
         clod_curve_fini(&first->curve);
         clod_memory_free(first);
     }
+    clod_plan_loci_free(self);
     clod_memory_free(self->path);
     clod_memory_free(self->text);
     clod_load_free(&CLOD_TABLE_PLAN, self);

@@ -111,20 +111,23 @@ typedef struct clod_plan {
     clod_plan_sampling sampling;
     clod_plan_target *targets; ///< [target_count] owned
     size_t target_count;
-    clod_plan_curve *curves;    ///< owned list; NULL: none
-    char *path, *text;          ///< owned: of its file
-    clod_warning_list warnings; ///< of its measured tables: wrong units or columns, as a rule
+    clod_plan_curve *curves;      ///< owned list; NULL: none
+    struct clod_plan_locus *loci; ///< owned list, of measured yield loci (plan_loci.h)
+    char *path, *text;            ///< owned: of its file
+    clod_warning_list warnings;   ///< of its measured tables: wrong units or columns, as a rule
 } clod_plan;
 
 /**
  * Read a plan, the cases it names and the measured tables.
  *
+ * @param overrides  [override_count] texts key.path=value in place of what the file says
  * @param self  [out] owned content (clod_plan_fini), also after an error
  * Errors  CLOD_USAGE with file, line, caret, value, allowed range and what to do: plan, cases with the
  *         ends of the ranges, tables; CLOD_FAILED: memory.
  * Threads safe.   Test  tests/calibrate/test_plan.c, test_calibrate_plan.py
  */
-bool clod_plan_load(const char *path, clod_plan *self, clod_status *status);
+bool clod_plan_load(const char *path, const char *const *overrides, size_t override_count,
+                    clod_plan *self, clod_status *status);
 
 void clod_plan_fini(clod_plan *self);
 

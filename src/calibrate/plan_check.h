@@ -26,5 +26,14 @@ const char *clod_plan_check_reason(clod_status *why);
 /** Targets from wishes (plan_targets.c). */
 void clod_plan_make_targets(clod_loader *loader, clod_plan *self);
 
+/** Standard errors that make a contradiction of two different numbers, and of one that is there twice: more,
+ *  since specimens differ. */
+#define CLOD_PLAN_FIRM_ERRORS 2.0
+#define CLOD_PLAN_SAME_ERRORS 4.0
+
 /** Targets that contradict each other (plan_conflicts.c). */
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
+
+/** Warn of targets that are possible and hardly meant: an error above its value, a solid that gets weaker by
+ *  consolidation; of a plan without complaints (plan_doubts.c). */
+void clod_plan_warn_doubts(clod_plan *self);

@@ -8,11 +8,11 @@
 #include <string.h>
 
 #include "calibrate/number.h"
-#include "calibrate/plan_check.h"
+#include "calibrate/plan_loci.h"
 #include "calibrate/test_kinds.h"
 #include "config/testers.h"
 
-#define FIRM 2.0 // standard errors that make a contradiction
+#define FIRM CLOD_PLAN_FIRM_ERRORS
 
 /** Target of a test with this number, or NULL. */
 static const clod_plan_target *with(const clod_plan *self, size_t test, const char *number)
@@ -115,7 +115,7 @@ static void check_twice(clod_loader *loader, const clod_plan *self)
             const clod_plan_target *a = &self->targets[m];
             const clod_plan_target *b = &self->targets[k];
             const double apart = fabs(a->value - b->value) / hypot(a->error, b->error);
-            if (strcmp(a->name, b->name) == 0 && apart > 2.0 * FIRM) {
+            if (strcmp(a->name, b->name) == 0 && apart > CLOD_PLAN_SAME_ERRORS) {
                 clod_check_fail(
                     loader, "targets",
                     "%s is there as %.6g %s in targets.%zu and as %.6g %s in targets.%zu, %.1f standard errors "
@@ -245,6 +245,7 @@ void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self)
 {
     check_shear_tests(loader, self);
     check_twice(loader, self);
+    clod_plan_loci_check(loader, self);
     check_ffc(loader, self);
     check_density(loader, self);
 }

@@ -11,6 +11,7 @@
 #include "analysis/study_file.h"
 #include "base/input.h"
 #include "base/memory.h"
+#include "calibrate/plan_loci.h"
 #include "calibrate/plan_samples.h"
 #include "calibrate/test_kinds.h"
 #include "clod/measured.h"
@@ -130,7 +131,8 @@ static const char *list_preshears(const clod_locus_study *study, char *buffer, s
 
 /** Points, or the density, of the locus with the preshear stress of the test. */
 static void make_marks(maker *self, size_t test, const clod_number *kind,
-                       const clod_locus_study *study, const clod_locus_point *points)
+                       const clod_locus_study *study, const clod_locus_point *points,
+                       size_t count)
 {
     const double preshear = clod_case_shear(self->plan->tests[test].middle)->preshear_stress;
     clod_plan_target common;
@@ -144,6 +146,7 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
         }
         if (kind->at_stress) {
             make_locus_points(self, kind, &common, locus, points);
+            clod_plan_loci_keep(self, test, study, g, points, count, common.error);
         } else {
             make_density(self, kind, &common, locus, points);
         }
@@ -171,7 +174,7 @@ static bool make_locus(maker *self, size_t test, const clod_number *kind, clod_s
     clod_locus_study *study = clod_study_of_points(self->wish->locus, points, count, status);
     const bool good = study != NULL;
     if (good) {
-        make_marks(self, test, kind, study, points);
+        make_marks(self, test, kind, study, points, count);
     }
     clod_locus_study_destroy(&study);
     clod_locus_free(points);

@@ -38,7 +38,9 @@ static bool quantity(maker *self, const char *key, const char *text, const clod_
         return true;
     }
     if (!clod_unit_convert(unit, kind->unit, value, message)) {
-        clod_check_fail(self->loader, clod_plan_targets_at(self, key), "%s: %s", text, message);
+        const bool told = message[0] == '-' || (message[0] >= '0' && message[0] <= '9');
+        clod_check_fail(self->loader, clod_plan_targets_at(self, key), "%s%s%s",
+                        told ? "" : text, told ? "" : ": ", message);
         return false;
     }
     return true;
@@ -258,4 +260,7 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
     clod_plan_check_conflicts(loader, self);
     name_apart(self);
     number_tables(self);
+    if (loader->report->count == 0) {
+        clod_plan_warn_doubts(self);
+    }
 }

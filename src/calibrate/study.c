@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "base/plural.h"
+#include "calibrate/estimate.h"
 #include "calibrate/sobol.h"
 
 #define BATCHES 3
@@ -48,6 +49,13 @@ static void tell(const clod_study_source *source, const char *text)
     }
 }
 
+/** A budget that is enough for so much, and stays so in words: with 5 % more, and from minutes on whole ones. */
+static double next_budget(double seconds)
+{
+    const double more = 1.05 * seconds;
+    return more < 600.0 ? more : 60.0 * ceil(more / 60.0);
+}
+
 /** How many points there will be, when the first is computed. */
 static bool count_points(const clod_plan *plan, const clod_study_source *source, size_t *points,
                          clod_status *status)
@@ -60,21 +68,22 @@ static bool count_points(const clod_plan *plan, const clod_study_source *source,
     const size_t least = clod_plan_least_points(plan->parameter_count);
     const double fit = fmin(floor(plan->budget / each), CLOD_PLAN_POINTS);
     *points = (size_t)fit;
-    char text[240];
-    snprintf(text, sizeof text, "the first point took %.3g s: %.0f point%s fit into %.3g min",
-             each, fit, clod_plural(fit), plan->budget / 60.0);
+    char text[240], words[CLOD_ESTIMATE_WORDS], more[CLOD_ESTIMATE_WORDS];
+    const char *budget = clod_estimate_clock(plan->budget, words);
+    snprintf(text, sizeof text, "the first point took %.3g s: %.0f point%s fit into %s", each,
+             fit, clod_plural(fit), budget);
     tell(source, text);
     if (*points < least) {
         return clod_status_fail(
             status, CLOD_USAGE,
-            "%s: the budget of %.3g min is too small: the first point, %lld packing%s of each test, took "
-            "%.3g s, so %.0f point%s fit, and %zu parameter%s need%s at least %zu: %.3g min. Give a "
+            "%s: the budget of %s is too small: the first point, %lld packing%s of each test, took "
+            "%.3g s, so %.0f point%s fit, and %zu parameter%s need%s at least %zu: %s. Give a "
             "larger budget and the same command goes on; smaller cells, softer contacts or fewer seeds "
             "make runs shorter.",
-            plan->path, plan->budget / 60.0, (long long)plan->seeds,
-            clod_plural((double)plan->seeds), each, fit, clod_plural(fit),
-            plan->parameter_count, clod_plural((double)plan->parameter_count),
-            plan->parameter_count == 1 ? "s" : "", least, 1.05 * each * (double)least / 60.0);
+            plan->path, budget, (long long)plan->seeds, clod_plural((double)plan->seeds), each,
+            fit, clod_plural(fit), plan->parameter_count,
+            clod_plural((double)plan->parameter_count), plan->parameter_count == 1 ? "s" : "",
+            least, clod_estimate_clock(next_budget(each * (double)least), more));
     }
     return true;
 }

@@ -319,7 +319,15 @@ static bool fail_kind(const char *written, const clod_unit_kind *kind, double va
 bool clod_unit_convert(const char *written, const char *unit, double *value,
                        char message[CLOD_UNIT_MESSAGE])
 {
-    const clod_unit_kind *kind = clod_unit_describe(unit);
+    return clod_unit_convert_like(written, unit, NULL, value, message);
+}
+
+bool clod_unit_convert_like(const char *written, const char *unit, const char *example,
+                            double *value, char message[CLOD_UNIT_MESSAGE])
+{
+    clod_unit_kind own = *clod_unit_describe(unit);
+    const clod_unit_kind *kind = &own;
+    own.example = example != NULL ? example : own.example;
     char clean[LONGEST_UNIT];
     if (written[0] == ',') {
         snprintf(message, CLOD_UNIT_MESSAGE, "write the decimal point as a point, not a comma");

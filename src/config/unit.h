@@ -46,6 +46,10 @@ const char *clod_unit_number(const char *text, double *value);
 bool clod_unit_convert(const char *written, const char *unit, double *value,
                        char message[CLOD_UNIT_MESSAGE]);
 
+/** The same with another unit as the example of messages, "h" where "ms" is hardly meant; NULL: that of the kind. */
+bool clod_unit_convert_like(const char *written, const char *unit, const char *example,
+                            double *value, char message[CLOD_UNIT_MESSAGE]);
+
 /**
  * Convert a contact stiffness in N/m^n to SI: prefixes k, M, G on N and m on m are read.
  *

@@ -64,6 +64,17 @@ static bool check_range(clod_loader *self, const clod_param *param, clod_place p
     return false;
 }
 
+/** Unit that a message shows where one is missing: times of a simulation are ms, but a budget is none of those. */
+static const char *example_unit(const clod_param *param)
+{
+    const char *example = example_of(param);
+    double number;
+    const char *unit = example != NULL && strcmp(param->unit, "s") == 0
+                           ? clod_unit_number(example, &number)
+                           : NULL;
+    return unit != NULL && unit[0] != '\0' ? unit : NULL;
+}
+
 /** Convert a number with the rest of its text, which is the unit. */
 static bool convert(clod_loader *self, const clod_param *param, clod_place place,
                     const char *unit, void *target, double *value)
@@ -74,7 +85,7 @@ static bool convert(clod_loader *self, const clod_param *param, clod_place place
         const double *exponent = at(target, param->exponent);
         good = *exponent < 1.0 || clod_unit_stiffness(unit, *exponent, value, message);
     } else {
-        good = clod_unit_convert(unit, param->unit, value, message);
+        good = clod_unit_convert_like(unit, param->unit, example_unit(param), value, message);
     }
     if (!good) {
         clod_report_add(self->report, place, self->path, "%s", message);

@@ -40,7 +40,7 @@ static inline bool lab_load_range(void **state, const char *from, const char *ke
              "parameters: {p: {key: %s, from: %s, to: %s}}\ntargets: [{test: lab, %s}]\n",
              CLOD_SOURCE_DIR, from, key, low, high, target);
     lab_write_file(state, "plan.yaml", text);
-    return clod_plan_load(temp_path(path, state, "plan.yaml"), plan, status);
+    return clod_plan_load(temp_path(path, state, "plan.yaml"), NULL, 0, plan, status);
 }
 
 /** The same of a parameter from 0.1 to 0.2. */

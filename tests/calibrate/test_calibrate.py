@@ -173,12 +173,16 @@ class Calibrate(bounce.Bounce):
 
     def test_check_estimates_points_and_warns_of_a_small_budget(self):
         told = self.calibrate(PLAN, "--check", "-j", "2").stderr
-        self.assertRegex(told, "a point takes [0-9.e-]+ min with 2 runs side by side, and 9 points")
+        self.assertRegex(told, "a point takes [0-9.e-]+ s with 2 runs side by side, and 9 points")
         told = self.calibrate(PLAN.replace("points: 9", "budget: 1 us"), "--check", "-j", "1").stderr
-        self.assertIn("WARNING: the budget of 1.67e-08 min looks too small", told)
+        self.assertIn("WARNING: the budget of 1e-06 s looks too small", told)
         self.assertIn("so 0 fit, and 1 parameter needs at least 5", told)
         told = self.calibrate(PLAN.replace("points: 9", "budget: 1 d"), "--check").stderr
-        self.assertIn("about 1000 points fit the budget of 1.44e+03 min", told)
+        self.assertIn("about 1000 points fit the budget of 24 h 00 min", told)
+        told = self.calibrate(PLAN.replace("points: 9", "budget: 48 h"), "--check").stderr
+        self.assertIn("points fit the budget of 2.0 days", told)
+        told = self.calibrate(PLAN.replace("points: 9", "budget: 25 min"), "--check").stderr
+        self.assertIn("points fit the budget of 25 min", told)
         self.assertNotIn("WARNING", told)
         self.assertFalse(os.path.exists(self.path("run")))
 
@@ -192,7 +196,7 @@ class Calibrate(bounce.Bounce):
         self.change_row("p000-1", seconds=30.0)
         self.change_row("p000-2", seconds=10.0)
         done = self.calibrate(PLAN.replace("points: 9", "budget: 125 s"), "-o", "out", "-j", "2")
-        self.assertIn("6 points fit", done.stderr)
+        self.assertIn("6 points fit into 125 s", done.stderr)
         self.assertEqual(self.found()["points"], 6)
         self.assertEqual(self.row("p000-1")["seconds"], 30.0)
 
@@ -212,6 +216,7 @@ class Calibrate(bounce.Bounce):
 
     def test_wrong_plans_are_refused_with_their_places(self):
         self.assertIn("in order", self.calibrate(PLAN, "--check").stdout)
+        self.refuse(("points: 9", "budget: 25"), words=["budget: 25 needs a unit of time, for instance 25 h\n"])
         self.refuse(("test: bounce", "test: bonce"),
                     words=["plan.yaml:9:12: targets.0.test: there is no test bonce; did you mean bounce?",
                            "            ^~~~~"])
@@ -305,6 +310,30 @@ class Calibrate(bounce.Bounce):
         self.calibrate(PLAN, "-o", "out")
         done = self.calibrate(PLAN.replace("to: 0.9", "to: 0.8"), "-o", "out", code=2)
         self.assertIn("out has runs of another plan", done.stderr)
+
+    def test_set_changes_keys_as_an_edit_of_the_plan_does(self):
+        """The bytes are those of the edited plan; other ranges need another folder, other errors do not."""
+        short = PLAN.replace("points: 9", "points: 6").replace("error: 4e-6", "error: 8e-6")
+        self.calibrate(short, "-o", "edited")
+        settings = ["--set", "points=6", "-S", "targets.0.error=8e-6"]
+        self.calibrate(PLAN, "-o", "out", *settings)
+        for name in RESULTS:
+            self.assertEqual(self.result(name), self.result(name, "edited"), name)
+        text = clod.read(self.path("out/plan.yaml")).decode()
+        self.assertEqual(text, "# --set points=6\n# --set targets.0.error=8e-6\n" + PLAN)
+
+        before = self.row("p000-1")
+        done = self.calibrate(PLAN, "-o", "out", *settings, "--set", "parameters.e.to=0.8", code=2)
+        self.assertIn("out has runs of another plan", done.stderr)
+        self.calibrate(PLAN, "-o", "out", "--set", "points=6")
+        self.assertEqual(self.row("p000-1"), before)
+        width = {folder: self.found(folder)["parameters"]["e"] for folder in ("out", "edited")}
+        self.assertLess(width["out"]["high"] - width["out"]["low"], width["edited"]["high"] - width["edited"]["low"])
+
+        done = self.calibrate(PLAN, "--check", "--set", "targets.1.error=8e-6", code=2)
+        self.assertIn("--set targets.1.error=8e-6: the list has no element \"1\"; it has 1, counted from 0", done.stderr)
+        done = self.calibrate(PLAN, "--check", "--set", "targets.0.test=bonce", code=2)
+        self.assertIn("--set targets.0.test=bonce: targets.0.test: there is no test bonce; did you mean bounce?", done.stderr)
 
     def test_case_that_fails_in_the_middle_ends_it(self):
         with open(CASE) as file:

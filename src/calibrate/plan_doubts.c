@@ -1,0 +1,143 @@
+/**
+ * @file plan_doubts.c
+ * Targets that are possible and hardly meant: warnings.
+ */
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "calibrate/plan_loci.h"
+#include "calibrate/test_kinds.h"
+#include "config/testers.h"
+
+// ---- an error above its value
+
+static void warn_of_errors(clod_plan *self)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        const clod_plan_target *one = &self->targets[k];
+        const bool told = k > 0 && one->entry == self->targets[k - 1].entry;
+        if (told || one->value == 0.0 || one->error <= fabs(one->value)) {
+            continue;
+        }
+        const clod_plan_measure *unit = &one->measure;
+        clod_warning_list_add(
+            &self->warnings,
+            "targets.%zu: the error of %s, %.4g %s, is larger than its value, %.4g %s, so it tells hardly anything. "
+            "Is the unit forgotten, or another one? Where the value is 0 within its error, all is well.",
+            one->entry, one->name, unit->factor * one->error, unit->unit,
+            unit->factor * one->value, unit->unit);
+    }
+}
+
+// ---- tests of one solid at several consolidations
+
+/** A number of a test at its consolidation; SI. */
+typedef struct statement {
+    size_t test, entry;
+    double stress, value;
+    double error; ///< 0: not known
+} statement;
+
+/** Normal stress that consolidates the solid of a test; 0: it is none of shear or uniaxial. */
+static double stress_of(const clod_plan *self, size_t test, double normal_stress)
+{
+    const clod_case *from = self->tests[test].middle;
+    const clod_number *numbers = clod_test_kinds_of(from)->numbers;
+    if (numbers == CLOD_NUMBERS_SHEAR) {
+        return clod_case_shear(from)->preshear_stress;
+    }
+    return numbers == CLOD_NUMBERS_UNIAXIAL ? normal_stress : 0.0;
+}
+
+/** What the plan says of a number: the k-th of its targets, behind them of its yield loci; false: nothing. */
+static bool say(const clod_plan *self, size_t k, clod_field_index number, statement *to)
+{
+    if (k < self->target_count) {
+        const clod_plan_target *one = &self->targets[k];
+        *to = (statement){one->test, one->entry, stress_of(self, one->test, one->normal_stress),
+                          one->value, one->error};
+        return to->stress > 0.0 && strcmp(one->number, CLOD_FIELDS[number].key) == 0;
+    }
+    const clod_plan_locus *locus = self->loci;
+    for (size_t n = self->target_count; n < k; n++) {
+        locus = locus->next;
+    }
+    const clod_locus_value *value = &locus->values[number];
+    *to = (statement){locus->test, locus->entry, stress_of(self, locus->test, 0.0),
+                      value->value, value->error > 0.0 ? value->error : 0.0};
+    return isfinite(value->value);
+}
+
+/** Whether two tests are of one tester and of a material of one name. */
+static bool one_solid(const clod_plan *self, size_t a, size_t b)
+{
+    const clod_case *one = self->tests[a].middle, *other = self->tests[b].middle;
+    const clod_config_tester *tester = clod_config_tester_of(one);
+    return tester == clod_config_tester_of(other) &&
+           strcmp(tester->materials(one).grain, tester->materials(other).grain) == 0;
+}
+
+/** By how many standard errors a number falls from one consolidation to a larger one; 0: not that it were known. */
+static double fall(const clod_plan *self, const statement *from, const statement *to)
+{
+    if (from->stress * (1.0 + CLOD_NUMBER_SAME_STRESS) >= to->stress ||
+        !one_solid(self, from->test, to->test)) {
+        return 0.0;
+    }
+    // an error that is not known is taken to be that of the other
+    const double error = hypot(from->error > 0.0 ? from->error : to->error,
+                               to->error > 0.0 ? to->error : from->error);
+    return error > 0.0 ? (from->value - to->value) / error : 0.0;
+}
+
+static void warn_of_fall(clod_plan *self, clod_field_index number, const statement *from,
+                         const statement *to, double errors)
+{
+    const char *key = CLOD_FIELDS[number].key;
+    const clod_plan_measure *unit = &clod_number_find(&self->tests[from->test], key)->measure;
+    clod_warning_list_add(
+        &self->warnings,
+        "%s falls from %.4g %s at %.4g kPa of consolidation (test %.40s, targets.%zu) to %.4g %s at %.4g kPa "
+        "(test %.40s, targets.%zu), by %.1f standard errors: no solid gets weaker or looser by more "
+        "consolidation. Are values, or stresses of the cases, interchanged, or are these two solids?",
+        key, unit->factor * from->value, unit->unit, 1e-3 * from->stress,
+        self->tests[from->test].name, from->entry, unit->factor * to->value, unit->unit,
+        1e-3 * to->stress, self->tests[to->test].name, to->entry, errors);
+}
+
+/** Warn of the firmest fall of a number. */
+static void warn_of_number(clod_plan *self, clod_field_index number)
+{
+    size_t count = self->target_count;
+    for (const clod_plan_locus *locus = self->loci; locus != NULL; locus = locus->next) {
+        count++;
+    }
+    statement from, to, worst[2] = {{0}};
+    double most = CLOD_PLAN_FIRM_ERRORS;
+    for (size_t k = 0; k < count; k++) {
+        for (size_t m = 0; m < count && say(self, k, number, &from); m++) {
+            const double errors = say(self, m, number, &to) ? fall(self, &from, &to) : 0.0;
+            if (errors > most) {
+                most = errors;
+                worst[0] = from;
+                worst[1] = to;
+            }
+        }
+    }
+    if (most > CLOD_PLAN_FIRM_ERRORS) {
+        warn_of_fall(self, number, &worst[0], &worst[1], most);
+    }
+}
+
+void clod_plan_warn_doubts(clod_plan *self)
+{
+    // a warning, not a refusal: that two cases name their material alike does not make them one solid
+    static const clod_field_index RISING[] = {CLOD_FIELD_TAU_P, CLOD_FIELD_SIGMA_1,
+                                              CLOD_FIELD_SIGMA_C, CLOD_FIELD_RHO_B};
+    warn_of_errors(self);
+    for (size_t k = 0; k < sizeof RISING / sizeof RISING[0]; k++) {
+        warn_of_number(self, RISING[k]);
+    }
+}
