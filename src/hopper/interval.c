@@ -30,6 +30,12 @@ typedef struct task {
     bool lost[JOBS]; ///< no memory
 } task;
 
+/** To sort the samples in. */
+typedef struct rooms {
+    double *numbers;          ///< [(CLOD_SOLID_CURVES + 1) x samples]
+    clod_samples_item *items; ///< [samples]
+} rooms;
+
 /** Whether there is an outlet, and a half angle above it. */
 static bool asked_for_margin(const clod_hopper_found *found)
 {
@@ -243,8 +249,8 @@ static double put_interval(const task *self, size_t offset, double *room,
     return (double)count / (double)self->count;
 }
 
-/** All outlets of a shape, and of which measured curves their spread comes. */
-static void put_spread(const task *self, int s, double *room, clod_hopper_found *found)
+/** All outlets of a shape. */
+static void put_quantiles(const task *self, int s, double *room, clod_hopper_found *found)
 {
     const size_t offset =
         offsetof(sample, number) +
@@ -257,18 +263,35 @@ static void put_spread(const task *self, int s, double *room, clod_hopper_found 
         found->quantile[q] =
             count > 0 ? scale * clod_samples_quantile(room, count, share) : (double)NAN;
     }
-    double *drawn = room + self->count;
-    for (size_t i = 0; i < self->count; i++) {
-        room[i] = self->samples[i].number[s][CLOD_HOPPER_OUTLET];
-    }
-    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        for (size_t i = 0; i < self->count; i++) {
-            drawn[i] = self->samples[i].drawn[s][k];
+}
+
+/** Of which measured curves the spread of the outlets comes. */
+static void put_causes(const task *self, int s, const rooms *room, clod_hopper_found *found)
+{
+    const bool critical = clod_hopper_is_critical(&found->design);
+    double *column[CLOD_SOLID_CURVES] = {NULL};
+    double *outlet = room->numbers;
+    size_t count = 0;
+    for (size_t k = 0; k < CLOD_SOLID_CURVES && critical; k++) {
+        if (k != CLOD_SOLID_PHI_T) { // which only the rathole needs
+            column[k] = room->numbers + (k + 1) * self->count;
         }
-        found->cause[k] = clod_hopper_is_critical(&found->design)
-                              ? clod_samples_share(drawn, room, self->count)
-                              : (double)NAN;
     }
+    for (size_t i = 0; i < self->count; i++) {
+        const sample *from = &self->samples[i];
+        if (isnan(from->number[s][CLOD_HOPPER_OUTLET])) {
+            continue;
+        }
+        outlet[count] = from->number[s][CLOD_HOPPER_OUTLET];
+        for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+            if (column[k] != NULL) {
+                column[k][count] = from->drawn[s][k];
+            }
+        }
+        count++;
+    }
+    found->untold =
+        clod_samples_shares(column, outlet, critical ? count : 0, room->items, found->cause);
 }
 
 /** Shares of outcomes, and of samples in which the planned outlet does not let the solid flow. */
@@ -286,15 +309,17 @@ static void put_shares(const task *self, int s, clod_hopper_found *found)
     found->arching = (double)arching / (double)self->count;
 }
 
-static void collect(const task *self, double *room, clod_hopper *to)
+static void collect(const task *self, const rooms *all, clod_hopper *to)
 {
+    double *room = all->numbers;
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
             const size_t place = (size_t)(s * CLOD_HOPPER_NUMBERS + n) * sizeof(double);
             put_interval(self, offsetof(sample, number) + place, room, &to->shape[s].number[n]);
         }
         put_shares(self, s, &to->shape[s]);
-        put_spread(self, s, room, &to->shape[s]);
+        put_quantiles(self, s, room, &to->shape[s]);
+        put_causes(self, s, all, &to->shape[s]);
     }
     for (size_t h = 0; h < CLOD_HOPPER_HOLES; h++) {
         to->holed[h] = put_interval(self, offsetof(sample, hole) + h * sizeof(double), room,
@@ -306,8 +331,9 @@ bool clod_interval_fill(clod_hopper *self, clod_status *status)
 {
     task all = {.hopper = self, .count = (size_t)self->from.interval.samples};
     all.samples = clod_memory_alloc(all.count, sizeof *all.samples);
-    double *room = clod_memory_alloc(2 * all.count, sizeof *room);
-    bool good = all.samples != NULL && room != NULL;
+    rooms room = {clod_memory_alloc((CLOD_SOLID_CURVES + 1) * all.count, sizeof *room.numbers),
+                  clod_memory_alloc(all.count, sizeof *room.items)};
+    bool good = all.samples != NULL && room.numbers != NULL && room.items != NULL;
     if (good) {
         design_sample(&all, &self->solid, &all.measured);
         clod_threads_run(JOBS, clod_threads_available(), run_job, &all);
@@ -316,9 +342,10 @@ bool clod_interval_fill(clod_hopper *self, clod_status *status)
         }
     }
     if (good) {
-        collect(&all, room, self);
+        collect(&all, &room, self);
     }
-    clod_memory_free(room);
+    clod_memory_free(room.items);
+    clod_memory_free(room.numbers);
     clod_memory_free(all.samples);
     return good || clod_status_fail(status, CLOD_FAILED, "No memory for the samples.");
 }

@@ -50,8 +50,9 @@ typedef struct clod_hopper_found {
     double
         quantile[CLOD_HOPPER_QUANTILES]; ///< m: outlets of the samples, as CLOD_HOPPER_OUTLET;
                                          ///< NAN: no sample has one
-    double cause[CLOD_SOLID_CURVES]; ///< share of the variance of the outlet that comes of each
-                                     ///< measured curve (samples.h); NAN: not known
+    double cause[CLOD_SOLID_CURVES]; ///< share of the spread of the outlet that each measured
+                                     ///< curve tells alone (samples.h); NAN: not known
+    double untold;                   ///< share that no curve tells alone; NAN: not known
 } clod_hopper_found;
 
 /** What a specimen that is in all yield loci makes of the design, alone; the wall as measured. */

@@ -63,9 +63,10 @@ class HopperPage(clod.Case):
             for told, end in zip(holes[name], ("value", "low", "high")):
                 self.cell(told, found["rathole"][key][end], 1e3, 1)
         self.cell(holes["vertical stress after filling"][0], found["rathole"]["filling_stress_Pa"], 1e-3, 3)
-        causes = {row[0][1]: row[1:3] for row in tables["share of the variance of the critical outlet"][1:]}
+        causes = {row[0][1]: row[1:3] for row in tables["share of the spread of the critical outlet"][1:]}
         for name, key in (("flow function", "flow_function"), ("wall friction", "wall"),
-                          ("effective angle phi_e", "phi_e"), ("bulk density", "rho_b")):
+                          ("effective angle phi_e", "phi_e"), ("bulk density", "rho_b"),
+                          ("told by no curve alone", "no_curve_alone")):
             for told, shape in zip(causes[name], ("cone", "wedge")):
                 self.cell(told, found[shape]["outlet_variance_shares"][key], 100, 1)
         measured = tables["curve"][1:]
