@@ -65,6 +65,7 @@ static json_t *shape_of(const clod_hopper_found *found)
                       "phi_e_deg", number(DEGREES * at->judged.phi_e), "phi_w_deg",
                       number(DEGREES * at->judged.phi_w)));
     }
+    json_object_set_new(self, "limit_given", json_boolean(found->wish.limit > 0.0));
     json_object_set_new(self, "outlet_by_wall", json_boolean(at->sticks));
     if (found->planned > 0.0) {
         json_object_set_new(self, "planned_outlet_m", number(found->planned));

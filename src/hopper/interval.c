@@ -70,10 +70,13 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     }
 }
 
-static void design_sample(const task *self, const clod_solid *solid, sample *to)
+/** @param limit  rad, those of the wishes in this sample; 0: a cone's */
+static void design_sample(const task *self, const clod_solid *solid,
+                          const double limit[CLOD_HOPPER_SHAPES], sample *to)
 {
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         clod_hopper_found found = self->hopper->shape[s];
+        found.wish.limit = limit[s];
         found.wish.tolerance = SAMPLE_TOLERANCE;
         found.wish.first = found.design.state.sigma_1;
         clod_interval_numbers(solid, &found, &to->outcome[s], to->number[s]);
@@ -186,8 +189,13 @@ static void run_job(void *context, int number)
         clod_draw_init(&draw, &self->hopper->solid, (uint64_t)self->hopper->from.interval.seed);
     self->lost[number] = !copied || !begun;
     for (size_t i = chunk.begin; i < chunk.end && !self->lost[number]; i++) {
+        double limit[CLOD_HOPPER_SHAPES];
+        for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+            const clod_hopper_found *found = &self->hopper->shape[s];
+            limit[s] = clod_draw_limit(&draw, i, found->wish.limit, found->limit_error);
+        }
         clod_draw_solid(&draw, i, &solid);
-        design_sample(self, &solid, &self->samples[i]);
+        design_sample(self, &solid, limit, &self->samples[i]);
     }
     clod_draw_fini(&draw);
     clod_memory_free(owned);
@@ -335,7 +343,11 @@ bool clod_interval_fill(clod_hopper *self, clod_status *status)
                   clod_memory_alloc(all.count, sizeof *room.items)};
     bool good = all.samples != NULL && room.numbers != NULL && room.items != NULL;
     if (good) {
-        design_sample(&all, &self->solid, &all.measured);
+        double limit[CLOD_HOPPER_SHAPES];
+        for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+            limit[s] = self->shape[s].wish.limit;
+        }
+        design_sample(&all, &self->solid, limit, &all.measured);
         clod_threads_run(JOBS, clod_threads_available(), run_job, &all);
         for (int job = 0; job < JOBS; job++) {
             good = good && !all.lost[job];

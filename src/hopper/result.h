@@ -42,7 +42,8 @@ enum { CLOD_HOPPER_EMPTYING, CLOD_HOPPER_FILLING, CLOD_HOPPER_HOLES };
 typedef struct clod_hopper_found {
     clod_hopper_wish wish;
     clod_hopper_design design;
-    double planned; ///< m: outlet that is given; 0: none
+    double planned;     ///< m: outlet that is given; 0: none
+    double limit_error; ///< rad: standard error of the wish's limit
     clod_hopper_value number[CLOD_HOPPER_NUMBERS];
     double share[CLOD_HOPPER_OUTCOMES]; ///< of the samples
     double arching;    ///< share of the samples in which the planned outlet arches

@@ -46,7 +46,8 @@ static void put_numbers(FILE *out, const clod_hopper *design)
         begin_table(out, design, clod_hopper_cells_shape(CLOD_HOPPER_CELLS_SHAPES[k]));
         for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
             if (n != CLOD_HOPPER_MARGIN || found->planned > 0.0) {
-                put_row(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
+                put_row(out, clod_hopper_field_of(found, (clod_hopper_number)n),
+                        &found->number[n]);
             }
         }
         if (found->mechanical > 0.0) {

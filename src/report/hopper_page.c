@@ -46,8 +46,8 @@ static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_fo
         tell(numbers, how, &found->number[CLOD_HOPPER_LIMIT]);
         snprintf(
             caption, sizeof caption,
-            "half angle that the case asks for, from the vertical. Limit of mass flow in a cone: %s",
-            numbers);
+            "half angle that the case asks for, from the vertical. Limit of mass flow%s: %s",
+            found->wish.limit > 0.0 ? " that it gives" : " in a cone", numbers);
         put_card(out, how, found->wish.half_angle, caption);
         return;
     }
