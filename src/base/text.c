@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -161,6 +162,42 @@ void clod_text_names_end(clod_text_names *self)
         snprintf(self->text + self->used, self->size - self->used, "%s%zu more",
                  self->used > 0 ? " and " : "", self->more);
     }
+}
+
+static const char *skip_digits(const char *at, const char *end)
+{
+    while (at < end && isdigit((unsigned char)*at)) {
+        at++;
+    }
+    return at;
+}
+
+/** Behind the number that begins here: digits, decimals, exponent. */
+static const char *skip_number(const char *at, const char *end)
+{
+    at = skip_digits(at, end);
+    if (end - at > 1 && at[0] == '.' && isdigit((unsigned char)at[1])) {
+        at = skip_digits(at + 1, end);
+    }
+    if (end - at > 2 && at[0] == 'e' && (at[1] == '-' || at[1] == '+') &&
+        isdigit((unsigned char)at[2])) {
+        at = skip_digits(at + 2, end);
+    }
+    return at;
+}
+
+bool clod_text_alike(const char *one, size_t one_length, const char *other, size_t other_length)
+{
+    const char *const one_end = one + one_length, *const other_end = other + other_length;
+    while (one < one_end && other < other_end) {
+        if (isdigit((unsigned char)*one) && isdigit((unsigned char)*other)) {
+            one = skip_number(one, one_end);
+            other = skip_number(other, other_end);
+        } else if (*one++ != *other++) {
+            return false;
+        }
+    }
+    return one == one_end && other == other_end;
 }
 
 void clod_text_printable(char *text)

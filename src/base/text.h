@@ -62,6 +62,10 @@ void clod_text_names_add(clod_text_names *self, const char *name);
 /** Say how many have no room: " and 3 more".   Threads  pure.   Test  tests/base/test_text.c */
 void clod_text_names_end(clod_text_names *self);
 
+/** Whether two texts differ in numbers alone, if at all.   Threads  pure.   Test  tests/base/test_text.c */
+bool clod_text_alike(const char *one, size_t one_length, const char *other,
+                     size_t other_length);
+
 /**
  * Put ? in place of each byte of a foreign text that would spoil a terminal or is no text: control
  * characters (of Unicode too, U+0080 to U+009F), and what is not UTF-8.

@@ -3,13 +3,13 @@
  * What the runs of a calibration warn of, counted.
  */
 
-#include <ctype.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/json.h"
 #include "base/plural.h"
+#include "base/text.h"
 #include "calibrate/runs.h"
 
 #define KINDS (CLOD_WARNING_LIST_MOST + 1) // so many that the list says that there are more
@@ -27,40 +27,13 @@ typedef struct counter {
     kind kinds[KINDS];
 } counter;
 
-/** Behind the number that begins here. */
-static const char *skip_number(const char *at)
-{
-    static const char DIGITS[] = "0123456789";
-    at += strspn(at, DIGITS);
-    if (at[0] == '.' && isdigit((unsigned char)at[1])) {
-        at += 1 + strspn(at + 1, DIGITS);
-    }
-    if (at[0] == 'e' && (at[1] == '-' || at[1] == '+') && isdigit((unsigned char)at[2])) {
-        at += 2 + strspn(at + 2, DIGITS);
-    }
-    return at;
-}
-
-/** Whether two texts differ in numbers alone. */
-static bool alike(const char *a, const char *b)
-{
-    while (*a != '\0' && *b != '\0') {
-        if (isdigit((unsigned char)*a) && isdigit((unsigned char)*b)) {
-            a = skip_number(a);
-            b = skip_number(b);
-        } else if (*a++ != *b++) {
-            return false;
-        }
-    }
-    return *a == *b;
-}
-
 static void count_text(counter *self, const char *text)
 {
     const size_t test = clod_runs_test_of(self->plan, self->row);
     for (size_t k = 0; k < self->count; k++) {
         kind *one = &self->kinds[k];
-        if (one->test == test && alike(one->text, text)) {
+        if (one->test == test &&
+            clod_text_alike(one->text, strlen(one->text), text, strlen(text))) {
             one->runs += one->last == self->row ? 0 : 1;
             one->last = self->row;
             return;

@@ -10,6 +10,7 @@
 #include "config/file_kind.h"
 #include "config/load.h"
 #include "config/override.h"
+#include "config/unit.h"
 #include "config/yaml.h"
 #include "hopper/params.h"
 
@@ -54,6 +55,24 @@ static void check_property(clod_loader *loader, const clod_hopper_property *self
     }
 }
 
+/** A limit from a chart has to leave room for the margin; an error goes with a limit. */
+static void check_limit(clod_loader *loader, const clod_hopper_case *self)
+{
+    const clod_hopper_shape *wedge = &self->wedge;
+    const bool clean = clod_report_clean(loader->report, "wedge") &&
+                       clod_report_clean(loader->report, "margin");
+    char text[128];
+    if (clean && wedge->limit == 0.0 && wedge->limit_error > 0.0) {
+        complain(loader, "wedge.limit_error",
+                 "is the error of wedge.limit, which is not given");
+    } else if (clean && wedge->limit > 0.0 && wedge->half_angle == 0.0 &&
+               wedge->limit <= self->margin) {
+        snprintf(text, sizeof text, "leaves no half angle below it: margin is %.4g deg",
+                 self->margin / CLOD_UNIT_DEGREE);
+        complain(loader, "wedge.limit", text);
+    }
+}
+
 static void check(clod_loader *loader, const clod_hopper_case *self)
 {
     check_strength(loader, &self->strength);
@@ -61,6 +80,7 @@ static void check(clod_loader *loader, const clod_hopper_case *self)
     check_property(loader, &self->phi_t, "static_friction", "angle");
     check_property(loader, &self->wall, "wall_friction", "angle");
     check_property(loader, &self->rho, "bulk_density", "value");
+    check_limit(loader, self);
 }
 
 static bool read_tree(clod_loader *loader, const char *text, size_t length, size_t overrides)

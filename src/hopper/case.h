@@ -42,6 +42,8 @@ typedef struct clod_hopper_property {
 typedef struct clod_hopper_shape {
     double half_angle; ///< 0: the limit less the margin
     double outlet;     ///< m: of a hopper that exists or is planned; 0: none
+    double limit;      ///< rad: of mass flow in a wedge, from a chart; 0: not given
+    double limit_error;
 } clod_hopper_shape;
 
 typedef struct clod_hopper_silo {

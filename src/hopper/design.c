@@ -132,13 +132,29 @@ static double outlet_of(const clod_hopper_design *at)
            (at->state.rho * CLOD_HOPPER_GRAVITY);
 }
 
-/** Whether a cone of this half angle, which is safe for a wedge too, is mass flow at a stress. */
-static bool slides(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1)
+/**
+ * By how much a limit that is given lies above that of a cone, at the stress for which it holds. At other
+ * stresses it is taken to change as a cone's does.
+ */
+static double lift_of(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1)
+{
+    return wish->limit > 0.0
+               ? wish->limit - clod_hopper_limit_at(solid, sigma_1, wish->tolerance)
+               : 0.0;
+}
+
+/** Whether a cone of this half angle less `lift`, which is safe for a wedge too, is mass flow at a stress. */
+static bool slides(const clod_solid *solid, const clod_hopper_wish *wish, double lift,
+                   double sigma_1)
 {
     const clod_solid_state state = clod_solid_at(solid, sigma_1);
+    const double half_angle = wish->half_angle - lift;
+    if (half_angle <= 0.0) {
+        return clod_critical_limit(&state, wish->tolerance) > 0.0;
+    }
     const clod_radial cone = {CLOD_RADIAL_CONE, state.phi_e, state.phi_w, wish->tolerance};
     clod_radial_wall wall;
-    return clod_radial_solve(&cone, wish->half_angle, &wall);
+    return clod_radial_solve(&cone, half_angle, &wall);
 }
 
 /**
@@ -153,12 +169,15 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
     const bool known = self->outcome != CLOD_HOPPER_NO_ARCH && self->state.sigma_1 < good;
     double low = known ? self->state.sigma_1 : NO_STRESS * good;
     double high = good;
-    if (slides(solid, wish, low) || !slides(solid, wish, high)) {
+    const double lift = lift_of(solid, wish, good);
+    const bool there =
+        wish->limit > 0.0 ? wish->half_angle <= wish->limit : slides(solid, wish, lift, high);
+    if (slides(solid, wish, lift, low) || !there) {
         return;
     }
     while (high > low * (1.0 + CLOD_CRITICAL_CLOSE * wish->tolerance)) {
         const double middle = sqrt(low * high);
-        if (slides(solid, wish, middle)) {
+        if (slides(solid, wish, lift, middle)) {
             high = middle;
         } else {
             low = middle;
@@ -271,7 +290,8 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
     }
     const bool funnel = self.outcome == CLOD_HOPPER_FUNNEL;
     if (built > 0.0 || self.outcome == CLOD_HOPPER_NO_ARCH || funnel) {
-        const bool here = slides(solid, wish, at.state.sigma_1);
+        const bool here = wish->limit > 0.0 ? wish->half_angle <= wish->limit
+                                            : slides(solid, wish, 0.0, at.state.sigma_1);
         begin_to_slide(solid, wish,
                        funnel && !here ? strength->points[strength->count - 1].x
                                        : at.state.sigma_1,
@@ -280,15 +300,34 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
     if (self.sticks && self.outlet > built) {
         at = self;
     }
-    at.limit = clod_critical_limit(&at.state, wish->tolerance);
+    at.limit =
+        wish->limit > 0.0 ? wish->limit : clod_critical_limit(&at.state, wish->tolerance);
     at.half_angle = wish->half_angle;
     set_design_state(&self, &at, built);
+    return self;
+}
+
+/** A hopper whose limit is given; a half angle beyond it is funnel flow. */
+static clod_hopper_design design_below(const clod_solid *solid, const clod_hopper_wish *wish)
+{
+    clod_hopper_wish fixed = *wish;
+    fixed.half_angle = wish->half_angle > 0.0 ? wish->half_angle : wish->limit - wish->margin;
+    if (fixed.half_angle <= 0.0) {
+        return (clod_hopper_design){.outcome = CLOD_HOPPER_FUNNEL, .limit = wish->limit};
+    }
+    clod_hopper_design self = design_given(solid, &fixed);
+    if (fixed.half_angle > wish->limit) {
+        self.outcome = CLOD_HOPPER_FUNNEL;
+    }
     return self;
 }
 
 clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,
                                             const clod_hopper_wish *wish)
 {
+    if (wish->limit > 0.0) {
+        return design_below(solid, wish);
+    }
     clod_hopper_design self =
         wish->half_angle > 0.0 ? design_given(solid, wish) : design_own(solid, wish);
     const bool flows = self.outcome == CLOD_HOPPER_FLOWS || self.outcome == CLOD_HOPPER_NO_ARCH;
@@ -307,8 +346,9 @@ clod_hopper_margin clod_hopper_margin_of(const clod_solid *solid, const clod_hop
     clod_hopper_margin self = {.ratio = (double)NAN};
     const flow how = flow_at(solid, wish, outlet, &at);
     self.state = at.state;
-    self.sticks = how == STICKS;
-    if (how == SLIDES) {
+    const bool beyond = wish->limit > 0.0 && wish->half_angle > wish->limit;
+    self.sticks = how == STICKS || beyond;
+    if (how == SLIDES && !beyond) {
         self.stress = at.state.rho * CLOD_HOPPER_GRAVITY * outlet / at.arch;
         self.ratio = self.stress / at.state.strength; // infinite for a strength of 0
     }

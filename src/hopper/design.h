@@ -20,6 +20,7 @@ typedef enum clod_hopper_arch {
 typedef struct clod_hopper_wish {
     clod_radial_shape shape;
     double half_angle; ///< rad; 0: the limit less the margin
+    double limit;      ///< rad: of mass flow at the outlet that is built, given; 0: a cone's
     double margin;     ///< rad below the limit
     clod_hopper_arch arch;
     double outlet;    ///< m: that is built or planned; 0: none
@@ -52,8 +53,9 @@ typedef struct clod_hopper_design {
     double built;                  ///< m: that outlet; 0: there is none
     bool sticks; ///< at outlets below the critical one the solid does not slide along the wall;
                  ///< without that, no arch would stand over some of them
-    bool at_measured;   ///< limit and half angle are those at the smallest measured sigma_1
-    double limit;       ///< rad: largest half angle of mass flow in a cone; 0: none
+    bool at_measured; ///< limit and half angle are those at the smallest measured sigma_1
+    double
+        limit; ///< rad: largest half angle of mass flow, that of the wish or a cone's; 0: none
     double half_angle;  ///< rad
     double arch;        ///< H
     double flow_factor; ///< ff

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "clod/locus.h"
+#include "hopper/fields.h"
 #include "hopper/words.h"
 
 #define DEGREE (M_PI / 180.0)
@@ -122,10 +123,12 @@ static void warn_angle(clod_hopper *self, const char *name, const clod_hopper_fo
                at->half_angle > most) {
         clod_warning_list_add(
             &self->warnings,
-            "%s: the half angle of %.1f deg is steeper than the limit of mass flow in a cone, "
+            "%s: the half angle of %.1f deg is steeper than the limit of mass flow %s, "
             "%.1f deg, by less than the margin of %.1f deg.%s",
-            name, at->half_angle / DEGREE, at->limit / DEGREE, found->wish.margin / DEGREE,
-            found->wish.shape == CLOD_RADIAL_WEDGE
+            name, at->half_angle / DEGREE,
+            found->wish.limit > 0.0 ? "that is given" : "in a cone", at->limit / DEGREE,
+            found->wish.margin / DEGREE,
+            found->wish.shape == CLOD_RADIAL_WEDGE && found->wish.limit == 0.0
                 ? " A wedge may be flatter, see docs/theory/hopper.md."
                 : "");
     }
@@ -282,11 +285,18 @@ static void warn_errors(clod_hopper *self)
     static const char *const NAMES[CLOD_SOLID_CURVES] = {"flow function", "effective friction",
                                                          "static friction", "bulk density",
                                                          "wall friction"};
-    char list[128] = "";
+    char list[160] = "";
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         if (!has_errors(&self->solid.curves[k])) {
             const size_t used = strlen(list);
             snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "", NAMES[k]);
+        }
+    }
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        if (self->shape[s].wish.limit > 0.0 && self->shape[s].limit_error == 0.0) {
+            const size_t used = strlen(list);
+            snprintf(list + used, sizeof list - used, "%slimit of the %s", used > 0 ? ", " : "",
+                     CLOD_HOPPER_SHAPE_NAMES[s]);
         }
     }
     if (list[0] != '\0') {

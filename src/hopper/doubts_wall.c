@@ -54,12 +54,31 @@ static double sigma_1_of(const clod_solid *solid, double sigma_w)
     return sigma_1;
 }
 
+/** By how much a limit that is given lies above that of a cone where it must be right; 0: none is given. */
+static double lift_of(const clod_hopper *self, const clod_hopper_found *found)
+{
+    return found->wish.limit > 0.0
+               ? found->wish.limit - clod_hopper_limit_at(&self->solid,
+                                                          found->design.design_state.sigma_1,
+                                                          CLOD_RADIAL_TOLERANCE)
+               : 0.0;
+}
+
+/** What a limit is of. */
+static const char *of_what(const clod_hopper_found *found)
+{
+    return found->wish.limit > 0.0 ? ", if that of a wedge changes as a cone's does,"
+                                   : " in a cone";
+}
+
 /**
  * The stress above that of the outlet at which the limit of mass flow is lowest, of those of the flow function and of
  * those at which the wall feels what it was measured at.
  */
-static double lowest(const clod_hopper *self, const clod_hopper_design *at, double *limit)
+static double lowest(const clod_hopper *self, const clod_hopper_found *found, double *limit)
 {
+    const clod_hopper_design *at = &found->design;
+    const double lift = lift_of(self, found);
     double stress = 0.0;
     const int curves[] = {CLOD_SOLID_STRENGTH, CLOD_SOLID_WALL};
     for (int c = 0; c < 2; c++) {
@@ -69,7 +88,7 @@ static double lowest(const clod_hopper *self, const clod_hopper_design *at, doub
             const double sigma_1 = c == 0 ? x : sigma_1_of(&self->solid, x);
             const double there =
                 sigma_1 > at->design_state.sigma_1
-                    ? clod_hopper_limit_at(&self->solid, sigma_1, CLOD_RADIAL_TOLERANCE)
+                    ? lift + clod_hopper_limit_at(&self->solid, sigma_1, CLOD_RADIAL_TOLERANCE)
                     : *limit;
             if (there < *limit) {
                 *limit = there;
@@ -85,14 +104,14 @@ static void warn_upwards(clod_hopper *self, const char *name, const clod_hopper_
 {
     const clod_hopper_design *at = &found->design;
     double limit = fmin(at->limit, at->half_angle + found->wish.margin) - LOWER;
-    const double stress = lowest(self, at, &limit);
+    const double stress = lowest(self, found, &limit);
     if (stress > 0.0) {
         clod_warning_list_add(
             &self->warnings,
-            "%s: higher in the hopper, where sigma_1 is %.3f kPa, the limit of mass flow in a cone is "
+            "%s: higher in the hopper, where sigma_1 is %.3f kPa, the limit of mass flow%s is "
             "%.1f deg, less than at the outlet, %.1f deg. A hopper that reaches there needs a half "
             "angle below %.1f deg.",
-            name, 1e-3 * stress, limit / DEGREE, at->limit / DEGREE,
+            name, 1e-3 * stress, of_what(found), limit / DEGREE, at->limit / DEGREE,
             fmax(0.0, limit - found->wish.margin) / DEGREE);
     }
 }
@@ -117,16 +136,17 @@ static void warn_friction(clod_hopper *self, const char *name, const clod_hopper
     clod_curve_point there = {.x = sigma_1, .y = going_on(phi_e, sigma_1)};
     clod_solid other = self->solid;
     other.phi_e = (clod_curve){.way = CLOD_CURVE_HELD, .points = &there, .count = 1};
-    const double limit = clod_hopper_limit_at(&other, sigma_1, CLOD_RADIAL_TOLERANCE);
+    const double limit =
+        lift_of(self, found) + clod_hopper_limit_at(&other, sigma_1, CLOD_RADIAL_TOLERANCE);
     if (limit < fmin(at->limit, at->half_angle + found->wish.margin) - FLATTER) {
         clod_warning_list_add(
             &self->warnings,
             "%s: phi_e rises towards small stresses, to %.1f deg at the smallest measured sigma_1, "
             "%.3f kPa, and is held there below it. If it goes on as between the two smallest, it is "
-            "%.1f deg at %.3f kPa, where the half angle must be right, and the limit of mass flow in a "
-            "cone %.1f deg in place of %.1f deg. Measure at smaller stresses, or stay below %.1f deg.",
+            "%.1f deg at %.3f kPa, where the half angle must be right, and the limit of mass flow%s "
+            "%.1f deg in place of %.1f deg. Measure at smaller stresses, or stay below %.1f deg.",
             name, phi_e->points[0].y / DEGREE, 1e-3 * phi_e->points[0].x, there.y / DEGREE,
-            1e-3 * sigma_1, limit / DEGREE, at->limit / DEGREE,
+            1e-3 * sigma_1, of_what(found), limit / DEGREE, at->limit / DEGREE,
             fmax(0.0, limit - found->wish.margin) / DEGREE);
     }
 }

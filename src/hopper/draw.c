@@ -14,6 +14,7 @@
 #define OF_ROW (UINT64_C(1) << 40)
 #define OF_PART(part) ((uint64_t)(part) << 36) ///< of a row
 #define OF_TEST(test) ((UINT64_C(2) + (uint64_t)(test)) << 44)
+#define OF_LIMIT (UINT64_C(1) << 50)
 #define OF_SET(set) ((UINT64_C(1) + (uint64_t)(set)) << 20)
 
 bool clod_draw_init(clod_draw *self, const clod_solid *measured, uint64_t seed)
@@ -168,4 +169,11 @@ void clod_draw_solid(clod_draw *self, uint64_t item, clod_solid *to)
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_sort(&to->curves[k]);
     }
+}
+
+double clod_draw_limit(const clod_draw *self, uint64_t item, double limit, double error)
+{
+    return error > 0.0 ? fmin(MOST_ANGLE,
+                              fmax(LEAST_ANGLE, limit + error * normal(self, item, OF_LIMIT)))
+                       : limit;
 }

@@ -35,3 +35,6 @@ void clod_draw_fini(clod_draw *self);
  * Source  docs/theory/hopper.md.   Test  tests/hopper/test_draw.c, test_interval.c
  */
 void clod_draw_solid(clod_draw *self, uint64_t item, clod_solid *to);
+
+/** Draw a limit of mass flow [rad] that was given with a normal error.   Threads  one room for each. */
+double clod_draw_limit(const clod_draw *self, uint64_t item, double limit, double error);

@@ -41,6 +41,7 @@ static void put_spread(json_t *self, const clod_hopper_found *found)
             json_object_set_new(causes, CLOD_HOPPER_CURVE_KEYS[k], number(found->cause[k]));
         }
     }
+    json_object_set_new(causes, "no_curve_alone", number(found->untold));
     json_object_set_new(self, "outlet_variance_shares", causes);
 }
 
@@ -65,6 +66,7 @@ static json_t *shape_of(const clod_hopper_found *found)
                                       number(DEGREES * at->design_state.phi_e), "phi_w_deg",
                                       number(DEGREES * at->design_state.phi_w)));
     }
+    json_object_set_new(self, "limit_given", json_boolean(found->wish.limit > 0.0));
     json_object_set_new(self, "outlet_by_wall", json_boolean(at->sticks));
     if (found->planned > 0.0) {
         json_object_set_new(self, "planned_outlet_m", number(found->planned));

@@ -22,6 +22,15 @@ const clod_hopper_field CLOD_HOPPER_FIELDS[CLOD_HOPPER_NUMBERS] = {
                                   DEGREES, DEGREES, 1, NULL},
 };
 
+const clod_hopper_field *clod_hopper_field_of(const clod_hopper_found *found,
+                                              clod_hopper_number number)
+{
+    static const clod_hopper_field GIVEN = {
+        "limit_deg", "limit of mass flow, given", "deg", DEGREES, DEGREES, 1, "none"};
+    return number == CLOD_HOPPER_LIMIT && found->wish.limit > 0.0 ? &GIVEN
+                                                                  : &CLOD_HOPPER_FIELDS[number];
+}
+
 const char *const CLOD_HOPPER_SHAPE_NAMES[CLOD_HOPPER_SHAPES] = {
     [CLOD_RADIAL_WEDGE] = "wedge", [CLOD_RADIAL_CONE] = "cone"};
 

@@ -19,6 +19,10 @@ typedef struct clod_hopper_field {
 /** By clod_hopper_number. */
 extern const clod_hopper_field CLOD_HOPPER_FIELDS[CLOD_HOPPER_NUMBERS];
 
+/** Of one number of a shape: a limit that is given is called so. */
+const clod_hopper_field *clod_hopper_field_of(const clod_hopper_found *found,
+                                              clod_hopper_number number);
+
 /** "cone", "wedge": by clod_radial_shape. */
 extern const char *const CLOD_HOPPER_SHAPE_NAMES[CLOD_HOPPER_SHAPES];
 

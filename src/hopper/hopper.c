@@ -22,12 +22,14 @@ static void design(clod_hopper *self, clod_radial_shape shape, const clod_hopper
     clod_hopper_found *found = &self->shape[shape];
     found->wish = (clod_hopper_wish){.shape = shape,
                                      .half_angle = wanted->half_angle,
+                                     .limit = wanted->limit,
                                      .margin = self->from.margin,
                                      .arch = (clod_hopper_arch)self->from.arch,
                                      .outlet = wanted->outlet,
                                      .least = PARTICLES[shape] * self->from.largest_particle,
                                      .tolerance = CLOD_RADIAL_TOLERANCE};
     found->planned = found->wish.outlet;
+    found->limit_error = wanted->limit_error;
     found->mechanical = found->wish.least;
     found->design = clod_hopper_design_shape(&self->solid, &found->wish);
     clod_hopper_outcome outcome;

@@ -30,6 +30,12 @@ typedef struct task {
     bool lost[JOBS]; ///< no memory
 } task;
 
+/** To sort the samples in. */
+typedef struct rooms {
+    double *numbers;          ///< [(CLOD_SOLID_CURVES + 1) x samples]
+    clod_samples_item *items; ///< [samples]
+} rooms;
+
 /** Whether there is an outlet, and a half angle above it. */
 static bool asked_for_margin(const clod_hopper_found *found)
 {
@@ -64,10 +70,13 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     }
 }
 
-static void design_sample(const task *self, const clod_solid *solid, sample *to)
+/** @param limit  rad, those of the wishes in this sample; 0: a cone's */
+static void design_sample(const task *self, const clod_solid *solid,
+                          const double limit[CLOD_HOPPER_SHAPES], sample *to)
 {
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         clod_hopper_found found = self->hopper->shape[s];
+        found.wish.limit = limit[s];
         found.wish.tolerance = SAMPLE_TOLERANCE;
         found.wish.first = found.design.state.sigma_1;
         clod_interval_numbers(solid, &found, &to->outcome[s], to->number[s]);
@@ -181,8 +190,13 @@ static void run_job(void *context, int number)
         clod_draw_init(&draw, &self->hopper->solid, (uint64_t)self->hopper->from.interval.seed);
     self->lost[number] = !copied || !begun;
     for (size_t i = chunk.begin; i < chunk.end && !self->lost[number]; i++) {
+        double limit[CLOD_HOPPER_SHAPES];
+        for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+            const clod_hopper_found *found = &self->hopper->shape[s];
+            limit[s] = clod_draw_limit(&draw, i, found->wish.limit, found->limit_error);
+        }
         clod_draw_solid(&draw, i, &solid);
-        design_sample(self, &solid, &self->samples[i]);
+        design_sample(self, &solid, limit, &self->samples[i]);
     }
     clod_draw_fini(&draw);
     clod_memory_free(owned);
@@ -244,8 +258,8 @@ static double put_interval(const task *self, size_t offset, double *room,
     return (double)count / (double)self->count;
 }
 
-/** All outlets of a shape, and of which measured curves their spread comes. */
-static void put_spread(const task *self, int s, double *room, clod_hopper_found *found)
+/** All outlets of a shape. */
+static void put_quantiles(const task *self, int s, double *room, clod_hopper_found *found)
 {
     const size_t offset =
         offsetof(sample, number) +
@@ -258,18 +272,35 @@ static void put_spread(const task *self, int s, double *room, clod_hopper_found 
         found->quantile[q] =
             count > 0 ? scale * clod_samples_quantile(room, count, share) : (double)NAN;
     }
-    double *drawn = room + self->count;
-    for (size_t i = 0; i < self->count; i++) {
-        room[i] = self->samples[i].number[s][CLOD_HOPPER_OUTLET];
-    }
-    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        for (size_t i = 0; i < self->count; i++) {
-            drawn[i] = self->samples[i].drawn[s][k];
+}
+
+/** Of which measured curves the spread of the outlets comes. */
+static void put_causes(const task *self, int s, const rooms *room, clod_hopper_found *found)
+{
+    const bool critical = clod_hopper_is_critical(&found->design);
+    double *column[CLOD_SOLID_CURVES] = {NULL};
+    double *outlet = room->numbers;
+    size_t count = 0;
+    for (size_t k = 0; k < CLOD_SOLID_CURVES && critical; k++) {
+        if (k != CLOD_SOLID_PHI_T) { // which only the rathole needs
+            column[k] = room->numbers + (k + 1) * self->count;
         }
-        found->cause[k] = clod_hopper_is_critical(&found->design)
-                              ? clod_samples_share(drawn, room, self->count)
-                              : (double)NAN;
     }
+    for (size_t i = 0; i < self->count; i++) {
+        const sample *from = &self->samples[i];
+        if (isnan(from->number[s][CLOD_HOPPER_OUTLET])) {
+            continue;
+        }
+        outlet[count] = from->number[s][CLOD_HOPPER_OUTLET];
+        for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+            if (column[k] != NULL) {
+                column[k][count] = from->drawn[s][k];
+            }
+        }
+        count++;
+    }
+    found->untold =
+        clod_samples_shares(column, outlet, critical ? count : 0, room->items, found->cause);
 }
 
 /** Shares of outcomes, and of samples in which the planned outlet does not let the solid flow. */
@@ -287,15 +318,17 @@ static void put_shares(const task *self, int s, clod_hopper_found *found)
     found->arching = (double)arching / (double)self->count;
 }
 
-static void collect(const task *self, double *room, clod_hopper *to)
+static void collect(const task *self, const rooms *all, clod_hopper *to)
 {
+    double *room = all->numbers;
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
             const size_t place = (size_t)(s * CLOD_HOPPER_NUMBERS + n) * sizeof(double);
             put_interval(self, offsetof(sample, number) + place, room, &to->shape[s].number[n]);
         }
         put_shares(self, s, &to->shape[s]);
-        put_spread(self, s, room, &to->shape[s]);
+        put_quantiles(self, s, room, &to->shape[s]);
+        put_causes(self, s, all, &to->shape[s]);
     }
     for (size_t h = 0; h < CLOD_HOPPER_HOLES; h++) {
         to->holed[h] = put_interval(self, offsetof(sample, hole) + h * sizeof(double), room,
@@ -307,19 +340,25 @@ bool clod_interval_fill(clod_hopper *self, clod_status *status)
 {
     task all = {.hopper = self, .count = (size_t)self->from.interval.samples};
     all.samples = clod_memory_alloc(all.count, sizeof *all.samples);
-    double *room = clod_memory_alloc(2 * all.count, sizeof *room);
-    bool good = all.samples != NULL && room != NULL;
+    rooms room = {clod_memory_alloc((CLOD_SOLID_CURVES + 1) * all.count, sizeof *room.numbers),
+                  clod_memory_alloc(all.count, sizeof *room.items)};
+    bool good = all.samples != NULL && room.numbers != NULL && room.items != NULL;
     if (good) {
-        design_sample(&all, &self->solid, &all.measured);
+        double limit[CLOD_HOPPER_SHAPES];
+        for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+            limit[s] = self->shape[s].wish.limit;
+        }
+        design_sample(&all, &self->solid, limit, &all.measured);
         clod_threads_run(JOBS, clod_threads_available(), run_job, &all);
         for (int job = 0; job < JOBS; job++) {
             good = good && !all.lost[job];
         }
     }
     if (good) {
-        collect(&all, room, self);
+        collect(&all, &room, self);
     }
-    clod_memory_free(room);
+    clod_memory_free(room.items);
+    clod_memory_free(room.numbers);
     clod_memory_free(all.samples);
     return good || clod_status_fail(status, CLOD_FAILED, "No memory for the samples.");
 }

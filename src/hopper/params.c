@@ -117,28 +117,43 @@ static const clod_param RHO[] = {
 };
 static const clod_table RHO_TABLE = {.title = "Bulk density.", CLOD_ROWS(RHO)};
 
-static const clod_param SHAPE[] = {
-    {.key = "half_angle",
-     .kind = CLOD_PARAM_REAL,
-     .need = CLOD_PARAM_OPTIONAL,
-     .unit = "rad",
-     CLOD_FROM(0, 60 * CLOD_UNIT_DEGREE),
-     .zero_word = "auto",
-     .fallback = "auto",
-     .example = "20 deg",
-     CLOD_AT(clod_hopper_shape, half_angle),
-     .help =
-         "Angle of the wall from the vertical; auto: the limit of mass flow in a cone, at the "
-         "outlet that is built, less margin. Where none is given and the solid would stick to the "
-         "wall at the critical outlet: at the smallest measured sigma_1.",
-     .source = THEORY},
+#define SHAPE_ROWS(text)                                                                       \
+    {.key = "half_angle",                                                                      \
+     .kind = CLOD_PARAM_REAL,                                                                  \
+     .need = CLOD_PARAM_OPTIONAL,                                                              \
+     .unit = "rad",                                                                            \
+     CLOD_FROM(0, 60 * CLOD_UNIT_DEGREE),                                                      \
+     .zero_word = "auto",                                                                      \
+     .fallback = "auto",                                                                       \
+     .example = "20 deg",                                                                      \
+     CLOD_AT(clod_hopper_shape, half_angle),                                                   \
+     .help = text,                                                                             \
+     .source = THEORY},                                                                        \
+        REAL_ROW(clod_hopper_shape, "outlet", outlet, "m", "300 mm",                           \
+                 "Diameter or width of an outlet that is built: its margin against an arch, "  \
+                 "and the half angle for its stresses.",                                       \
+                 CLOD_ABOVE(0, 100))
+
+static const clod_param CONE[] = {SHAPE_ROWS(
+    "Angle of the wall from the vertical; auto: the limit of mass flow in a cone, at "
+    "the outlet that is built, less margin. Where none is given and the solid would stick to "
+    "the wall at the critical outlet: at the smallest measured sigma_1.")};
+static const clod_table CONE_TABLE = {.title = "A conical hopper.", CLOD_ROWS(CONE)};
+static const clod_param WEDGE[] = {
+    SHAPE_ROWS(
+        "Angle of the wall from the vertical; auto: limit or, without one, the limit of "
+        "mass flow in a cone at the outlet that is built, less margin. Where none is given "
+        "and the solid would stick to the wall at the critical outlet: at the smallest "
+        "measured sigma_1."),
     REAL_ROW(
-        clod_hopper_shape, "outlet", outlet, "m", "300 mm",
-        "Diameter or width of an outlet that is built: its margin against an arch, and the "
-        "half angle for its stresses.",
-        CLOD_ABOVE(0, 100)),
+        clod_hopper_shape, "limit", limit, "rad", "35 deg",
+        "Largest half angle of mass flow in a wedge, from a chart, at phi_e and wall friction "
+        "angle of the outlet that is built.",
+        CLOD_ABOVE(0, 60 * CLOD_UNIT_DEGREE)),
+    REAL_ROW(clod_hopper_shape, "limit_error", limit_error, "rad", "1 deg",
+             "Standard error of limit.", CLOD_FROM(0, 30 * CLOD_UNIT_DEGREE)),
 };
-static const clod_table SHAPE_TABLE = {.title = "A hopper of one shape.", CLOD_ROWS(SHAPE)};
+static const clod_table WEDGE_TABLE = {.title = "A wedge-shaped hopper.", CLOD_ROWS(WEDGE)};
 
 static const clod_param SILO[] = {
     {.key = "diameter",
@@ -228,14 +243,14 @@ static const clod_param ROWS[] = {
     {.key = "cone",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_DEFAULTED,
-     .table = &SHAPE_TABLE,
+     .table = &CONE_TABLE,
      CLOD_AT(C, cone),
      .help = "A conical hopper with a round outlet.",
      .source = THEORY},
     {.key = "wedge",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_DEFAULTED,
-     .table = &SHAPE_TABLE,
+     .table = &WEDGE_TABLE,
      CLOD_AT(C, wedge),
      .help = "A wedge-shaped hopper with a slot at least three times as long as wide.",
      .source = THEORY},

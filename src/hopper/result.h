@@ -42,7 +42,8 @@ enum { CLOD_HOPPER_EMPTYING, CLOD_HOPPER_FILLING, CLOD_HOPPER_HOLES };
 typedef struct clod_hopper_found {
     clod_hopper_wish wish;
     clod_hopper_design design;
-    double planned; ///< m: outlet that is given; 0: none
+    double planned;     ///< m: outlet that is given; 0: none
+    double limit_error; ///< rad: standard error of the wish's limit
     clod_hopper_value number[CLOD_HOPPER_NUMBERS];
     double share[CLOD_HOPPER_OUTCOMES]; ///< of the samples
     double arching;    ///< share of the samples in which the planned outlet arches
@@ -50,8 +51,9 @@ typedef struct clod_hopper_found {
     double
         quantile[CLOD_HOPPER_QUANTILES]; ///< m: outlets of the samples, as CLOD_HOPPER_OUTLET;
                                          ///< NAN: no sample has one
-    double cause[CLOD_SOLID_CURVES]; ///< share of the variance of the outlet that comes of each
-                                     ///< measured curve (samples.h); NAN: not known
+    double cause[CLOD_SOLID_CURVES]; ///< share of the spread of the outlet that each measured
+                                     ///< curve tells alone (samples.h); NAN: not known
+    double untold;                   ///< share that no curve tells alone; NAN: not known
 } clod_hopper_found;
 
 /** What a specimen that is in all yield loci makes of the design, alone; the wall as measured. */

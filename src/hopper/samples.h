@@ -22,17 +22,29 @@ double clod_samples_quantile(const double *sorted, size_t count, double share);
 void clod_samples_values(const clod_solid *solid, const clod_solid_state *state,
                          double value[CLOD_SOLID_CURVES]);
 
+/** A value and its place, for sorting. */
+typedef struct clod_samples_item {
+    double value;
+    size_t at;
+} clod_samples_item;
+
 /**
- * Share of the variance of outlets that a straight line over drawn values explains: the square of
- * their correlation. Curves are drawn independently, so their shares add up to 1 where errors are
- * small; what is missing is of higher order.
+ * How much of the spread of outlets each curve tells alone: the square of Spearman's correlation of
+ * its drawn values with the outlets, which is that of their ranks. Ranks do not care how far off the
+ * wildest samples are, and an infinite outlet is one like others.
  *
- * @param drawn   [count] values of one curve
- * @param outlet  [count] m; samples without a finite one are left out
- * @return  0: the curve was drawn without errors; NAN: fewer than three outlets, or all the same
+ * @param column  [count] each, values of one curve, overwritten; NULL: of no interest
+ * @param outlet  [count] m, overwritten; each a number or infinite
+ * @param room    [count]
+ * @param share   [out] 0: the curve was drawn without errors; NAN: no column, fewer than three
+ *                outlets, or all the same
+ * @return        share that no curve alone tells: 1 less the coefficient of determination of the
+ *                outlets' ranks by those of all curves, least squares; NAN as above
  * Errors  none.   Threads  pure.
- * Source  Saltelli et al., Sensitivity Analysis (2000), ch. 6: squared correlation coefficients of
- *         independent inputs
+ * Source  Iman and Conover, Technometrics 21 (1979) 499: regression of ranks; Saltelli et al.,
+ *         Sensitivity Analysis (2000), ch. 6; docs/theory/hopper.md
  * Test    tests/hopper/test_samples.c
  */
-double clod_samples_share(const double *drawn, const double *outlet, size_t count);
+double clod_samples_shares(double *const column[CLOD_SOLID_CURVES], double *outlet,
+                           size_t count, clod_samples_item *room,
+                           double share[CLOD_SOLID_CURVES]);

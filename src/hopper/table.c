@@ -107,7 +107,7 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
         put_text(out, funnel ? "  why: " : "  limit and half angle: ", text);
     }
     for (int n = 0; n < CLOD_HOPPER_MARGIN; n++) {
-        put_line(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
+        put_line(out, clod_hopper_field_of(found, (clod_hopper_number)n), &found->number[n]);
     }
     if (found->mechanical > 0.0) {
         fprintf(out, "  %-32s%10.1f                          mm\n",

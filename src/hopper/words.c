@@ -9,6 +9,12 @@
 #define DEGREES 57.295779513082323
 #define NO_ANGLE 1.5 ///< rad: of a wall that the solid does not slide along
 
+/** Whether a half angle is given that is flatter than the limit that is given. */
+static bool is_beyond(const clod_hopper_found *found)
+{
+    return found->wish.limit > 0.0 && found->wish.half_angle > found->wish.limit;
+}
+
 void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
 {
     static const char *const WORDS[CLOD_HOPPER_OUTCOMES] = {
@@ -32,6 +38,12 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
             "deg. If a chart for wedges allows that, no cohesive arch stands %s.",
             DEGREES * at->limit, DEGREES * at->half_angle,
             at->outlet > 0.0 ? "above the critical outlet" : "at any outlet");
+    } else if (is_beyond(found)) {
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "Funnel flow: the half angle of %.1f deg is flatter than the limit of mass flow "
+            "that is given, %.1f deg.",
+            DEGREES * found->wish.half_angle, DEGREES * found->wish.limit);
     } else if (at->sticks) {
         snprintf(text, CLOD_WORDS_MOST,
                  "Mass flow, and no cohesive arch above the critical outlet. It is the wall's: "
@@ -76,7 +88,7 @@ bool clod_words_design_state(const clod_hopper_found *found, char text[CLOD_WORD
     const clod_hopper_design *at = &found->design;
     if (at->outcome == CLOD_HOPPER_FUNNEL) {
         judge_funnel(at, text);
-        return at->state.sigma_1 > 0.0;
+        return at->state.sigma_1 > 0.0 && !is_beyond(found);
     }
     const bool other = at->built > 0.0 && !(at->design_state.sigma_1 == at->state.sigma_1);
     snprintf(text, CLOD_WORDS_MOST,

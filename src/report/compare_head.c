@@ -1,6 +1,5 @@
 #include "report/compare_head.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -63,30 +62,10 @@ static bool collect(items *self, const clod_run_files *runs, size_t count, const
     return good;
 }
 
-/** The next letter that is no part of a number; the end. */
-static const char *skip_number(const char *at, const char *end)
-{
-    while (at < end && (isdigit((unsigned char)*at) || *at == '.')) {
-        at++;
-    }
-    return at;
-}
-
 /** Whether two warnings say the same of other numbers. */
 static bool is_alike(const item *a, const item *b)
 {
-    const char *s = a->text, *t = b->text;
-    const char *const s_end = s + a->length, *const t_end = t + b->length;
-    while (s < s_end && t < t_end) {
-        const bool number = isdigit((unsigned char)*s) && isdigit((unsigned char)*t);
-        if (number) {
-            s = skip_number(s, s_end);
-            t = skip_number(t, t_end);
-        } else if (*s++ != *t++) {
-            return false;
-        }
-    }
-    return s == s_end && t == t_end;
+    return clod_text_alike(a->text, a->length, b->text, b->length);
 }
 
 static bool is_same(const item *a, const item *b)

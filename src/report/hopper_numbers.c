@@ -53,7 +53,8 @@ static void put_numbers(FILE *out, const clod_hopper *design)
         begin_table(out, design, clod_hopper_cells_shape(CLOD_HOPPER_CELLS_SHAPES[k]));
         for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
             if (n != CLOD_HOPPER_MARGIN || found->planned > 0.0) {
-                put_row(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
+                put_row(out, clod_hopper_field_of(found, (clod_hopper_number)n),
+                        &found->number[n]);
             }
         }
         if (found->mechanical > 0.0) {
@@ -75,6 +76,17 @@ static void put_numbers(FILE *out, const clod_hopper *design)
     }
 }
 
+/** A share of cone and wedge, in the order of the page. */
+static void put_shares(FILE *out, const clod_hopper_field *how,
+                       const double share[CLOD_HOPPER_SHAPES])
+{
+    fprintf(out, "<tr><th>%s</th>", how->text);
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        clod_hopper_cells_put(out, how, share[s]);
+    }
+    fputs("</tr>\n", out);
+}
+
 /** Where the intervals come from: what the samples came to, and which measurement spreads them. */
 static void put_causes(FILE *out, const clod_hopper *design)
 {
@@ -87,6 +99,8 @@ static void put_causes(FILE *out, const clod_hopper *design)
         {CLOD_SOLID_PHI_E, {"", "effective angle phi_e", "%", 100.0, 1.0, 1, NULL}},
         {CLOD_SOLID_RHO, {"", "bulk density", "%", 100.0, 1.0, 1, NULL}},
     };
+    static const clod_hopper_field NO_CURVE = {
+        "", "told by no curve alone", "%", 100.0, 1.0, 1, NULL};
     const clod_hopper_interval *interval = &design->from.interval;
     clod_html_section(out, "interval", "Where the intervals come from");
     fprintf(out,
@@ -107,23 +121,25 @@ static void put_causes(FILE *out, const clod_hopper *design)
         fputs("</li>\n", out);
     }
     fputs("</ul>\n<div class=\"scroll\"><table class=\"copied\"><thead><tr><th>share of the "
-          "variance of the critical outlet [%]</th><th>cone</th><th>wedge</th></tr>"
+          "spread of the critical outlet [%]</th><th>cone</th><th>wedge</th></tr>"
           "</thead>\n<tbody>",
           out);
     for (size_t k = 0; k < sizeof ROWS / sizeof ROWS[0]; k++) {
-        fprintf(out, "<tr><th>%s</th>", ROWS[k].how.text);
+        double share[CLOD_HOPPER_SHAPES];
         for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
-            clod_hopper_cells_put(
-                out, &ROWS[k].how,
-                design->shape[CLOD_HOPPER_CELLS_SHAPES[s]].cause[ROWS[k].curve]);
+            share[s] = design->shape[CLOD_HOPPER_CELLS_SHAPES[s]].cause[ROWS[k].curve];
         }
-        fputs("</tr>\n", out);
+        put_shares(out, &ROWS[k].how, share);
     }
+    put_shares(out, &NO_CURVE,
+               (double[]){design->shape[CLOD_HOPPER_CELLS_SHAPES[0]].untold,
+                          design->shape[CLOD_HOPPER_CELLS_SHAPES[1]].untold});
     fprintf(
         out,
-        "</tbody></table></div>\n<p class=\"note\">Square of the correlation, over the samples, "
-        "of the outlet with the value of each curve at the critical state; chance alone "
-        "gives about %.2g %%. Measure first what has the largest share.</p>\n",
+        "</tbody></table></div>\n<p class=\"note\">Square of Spearman's correlation, that of "
+        "ranks, over the samples, of the outlet with the value of each curve at the critical "
+        "state; chance alone gives about %.2g %%. The last row is what a weighted sum of their "
+        "ranks does not tell. Measure first what has the largest share.</p>\n",
         100.0 / (double)interval->samples);
 }
 

@@ -2,7 +2,9 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "base/text.h"
 #include "hopper/words.h"
 #include "report/hopper_cells.h"
 #include "report/hopper_figures.h"
@@ -44,8 +46,8 @@ static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_fo
         tell(numbers, how, &found->number[CLOD_HOPPER_LIMIT]);
         snprintf(
             caption, sizeof caption,
-            "half angle that the case asks for, from the vertical. Limit of mass flow in a cone: %s",
-            numbers);
+            "half angle that the case asks for, from the vertical. Limit of mass flow%s: %s",
+            found->wish.limit > 0.0 ? " that it gives" : " in a cone", numbers);
         put_card(out, how, found->wish.half_angle, caption);
         return;
     }
@@ -192,15 +194,50 @@ static void put_holes(FILE *out, const clod_hopper *design)
     }
 }
 
+static bool are_alike(const char *one, const char *other)
+{
+    return clod_text_alike(one, strlen(one), other, strlen(other));
+}
+
+/** A warning, and those that differ from it in numbers alone, folded. */
+static void put_warning(FILE *out, const clod_warning_list *warnings, size_t first)
+{
+    size_t alike = 0;
+    for (size_t k = first; k < warnings->count; k++) {
+        alike += are_alike(warnings->text[first], warnings->text[k]);
+    }
+    fputs("<li>", out);
+    clod_html_text(out, warnings->text[first]);
+    if (alike > 1) {
+        fprintf(out,
+                " <small>(one of %zu like it)</small><details><summary>the numbers of "
+                "each</summary><ul>",
+                alike);
+        for (size_t k = first; k < warnings->count; k++) {
+            if (are_alike(warnings->text[first], warnings->text[k])) {
+                clod_html_cell(out, "li", warnings->text[k]);
+            }
+        }
+        fputs("</ul></details>", out);
+    }
+    fputs("</li>\n", out);
+}
+
 static void put_warnings(FILE *out, const clod_warning_list *warnings)
 {
     if (warnings->count == 0) {
         fputs("<p class=\"good\">No warnings.</p>\n", out);
         return;
     }
-    fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>\n", out);
+    fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>", out);
     for (size_t k = 0; k < warnings->count; k++) {
-        clod_html_cell(out, "li", warnings->text[k]);
+        bool told = false;
+        for (size_t j = 0; j < k; j++) {
+            told = told || are_alike(warnings->text[j], warnings->text[k]);
+        }
+        if (!told) {
+            put_warning(out, warnings, k);
+        }
     }
     fputs("</ul></section>\n", out);
 }
@@ -213,12 +250,12 @@ void clod_hopper_page_put(clod_sheet *sheet, const clod_hopper *design)
     fputs("</h1><p class=\"when\">", out);
     clod_html_text(out, design->path);
     fputs("</p></header>\n", out);
+    put_warnings(out, &design->warnings);
     clod_html_section(out, "decision", "What to build");
     for (int k = 0; k < CLOD_HOPPER_SHAPES; k++) {
         put_shape(out, design, CLOD_HOPPER_CELLS_SHAPES[k]);
     }
     put_holes(out, design);
-    put_warnings(out, &design->warnings);
     clod_html_section(out, "figures", "The design, and what was measured");
     clod_hopper_figures_put(sheet, design);
     clod_hopper_numbers_put(out, design);

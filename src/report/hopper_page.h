@@ -8,8 +8,8 @@
 #include "report/sheet.h"
 
 /**
- * Put a design into a page that is open: what to build first, then warnings, figures, numbers and
- * where they come from. Every number's title is the one of the design's JSON.
+ * Put a design into a page that is open: warnings first, those that differ in numbers alone as one, then
+ * what to build, figures, numbers and where they come from. Every number's title is the one of the design's JSON.
  *
  * Errors  the sheet's `lost`.   Threads  one per sheet.   Test  tests/report/test_hopper_page.py
  */

@@ -43,7 +43,7 @@ bool clod_report_write(const clod_report_options *options, char **path, clod_sta
 bool clod_report_compare(const clod_report_options *options, char **path, clod_status *status);
 
 /**
- * Write the page of a design: what to build, warnings, figures, numbers, provenance; and each figure
+ * Write the page of a design: warnings, what to build, figures, numbers, provenance; and each figure
  * as SVG beside it.
  *
  * @param path  of the page: NAME.html

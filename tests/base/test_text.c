@@ -139,6 +139,36 @@ static void names_that_have_no_room_are_counted(void **state)
     }
 }
 
+static void texts_that_differ_in_numbers_alone(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *one, *other;
+        bool alike;
+    } CASES[] = {
+        {"at 0.600 kPa: 27.8 +- 4.5 deg", "at 1.2 kPa: 22 +- 13.8 deg", true},
+        {"5 of 12.", "117 of 3.", true},
+        {"1e-06 kg", "0.25 kg", true},
+        {"", "", true},
+        {"the same", "the same", true},
+        {"5 of 12.", "5 of 12", false},
+        {"5 of 12", "5 of 12 more", false},
+        {"5 kPa", "-5 kPa", false},
+        {"5 kPa", "none kPa", false},
+        {"Cone: 5", "Wedge: 5", false},
+        {"12e", "12", false},
+    };
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        const char *one = CASES[k].one, *other = CASES[k].other;
+        assert_int_equal(clod_text_alike(one, strlen(one), other, strlen(other)),
+                         CASES[k].alike);
+        assert_int_equal(clod_text_alike(other, strlen(other), one, strlen(one)),
+                         CASES[k].alike);
+    }
+    assert_true(clod_text_alike("123", 1, "4.5", 3)); // no further than the length
+    assert_true(clod_text_alike("1.5", 2, "2.", 2));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -148,6 +178,7 @@ int main(void)
         cmocka_unit_test(what_is_no_text_is_replaced),
         cmocka_unit_test(a_text_that_is_too_long_keeps_its_end),
         cmocka_unit_test(names_that_have_no_room_are_counted),
+        cmocka_unit_test(texts_that_differ_in_numbers_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

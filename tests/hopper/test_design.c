@@ -301,6 +301,45 @@ static void where_the_wall_holds_the_solid_it_decides(void **state)
     }
 }
 
+/**
+ * The same wedge with a limit that is given, 8 deg beyond that of a cone at the outlet of 1 m: at other
+ * stresses it is taken to change as a cone's does, so it begins to slide where a cone of the half angle
+ * less 8 deg would. Given the limit of a cone itself, it is the wedge without a limit.
+ */
+static void a_given_limit_of_a_wedge_changes_as_that_of_a_cone(void **state)
+{
+    (void)state;
+    static made of;
+    make_solid(&of, 45.0, 20.0, 1300.0);
+    add_strength(&of, 2.0, 0.20);
+    add_strength(&of, 9.0, 0.76);
+    static clod_curve_point wall[] = {{.x = 1e3, .y = 500.0}, {.x = 8e3, .y = 2600.0}};
+    of.solid.wall = (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 2};
+    clod_hopper_wish wish = wish_of(CLOD_RADIAL_WEDGE, 0.0, CLOD_HOPPER_ARCH_ARNOLD);
+    wish.outlet = 1.0;
+    const clod_hopper_design none = clod_hopper_design_shape(&of.solid, &wish);
+    wish.limit = none.limit;
+    const clod_hopper_design same = clod_hopper_design_shape(&of.solid, &wish);
+    assert_true(same.sticks && same.outcome == CLOD_HOPPER_FLOWS);
+    check_close(same.half_angle, none.half_angle, 1e-12);
+    check_relative(same.outlet, none.outlet, 1e-5);
+    wish.limit = none.limit + 8.0 * DEGREE;
+    const clod_hopper_design at = clod_hopper_design_shape(&of.solid, &wish);
+    assert_true(at.sticks && at.outcome == CLOD_HOPPER_FLOWS);
+    check_close(at.half_angle, wish.limit - wish.margin, 1e-12);
+    const double cone =
+        clod_hopper_limit_at(&of.solid, at.judged.sigma_1, CLOD_RADIAL_TOLERANCE);
+    check_close(clod_hopper_limit_at(&of.solid, at.state.sigma_1, CLOD_RADIAL_TOLERANCE),
+                at.half_angle - (wish.limit - cone), 1e-4);
+    // beyond the limit nothing flows, though the field of a wedge has a solution
+    wish.half_angle = wish.limit + 1e-9;
+    assert_int_equal(clod_hopper_design_shape(&of.solid, &wish).outcome, CLOD_HOPPER_FUNNEL);
+    assert_true(isnan(clod_hopper_margin_of(&of.solid, &wish, 1.0).ratio));
+    wish.half_angle = wish.limit - 1e-9;
+    assert_int_equal(clod_hopper_design_shape(&of.solid, &wish).outcome, CLOD_HOPPER_FLOWS);
+    assert_true(clod_hopper_margin_of(&of.solid, &wish, 1.0).ratio > 1.0);
+}
+
 /** An outlet that is larger than the critical one has other stresses at its wall, and its half angle. */
 static void the_half_angle_is_that_of_the_outlet_that_is_built(void **state)
 {
@@ -384,6 +423,7 @@ int main(void)
         cmocka_unit_test(a_wedge_wider_than_a_cone_may_be_is_not_known),
         cmocka_unit_test(results_follow_what_was_measured),
         cmocka_unit_test(where_the_wall_holds_the_solid_it_decides),
+        cmocka_unit_test(a_given_limit_of_a_wedge_changes_as_that_of_a_cone),
         cmocka_unit_test(a_critical_state_where_the_solid_begins_to_slide),
         cmocka_unit_test(the_half_angle_is_that_of_the_outlet_that_is_built),
     };

@@ -33,7 +33,8 @@ BOXES = """
   const boxes = (live, what) => [...live.querySelectorAll(what)].filter(place => place.textContent !== "").map(box);
   return [...document.querySelectorAll("figure .live")].filter(live => live.querySelector(".main-svg")).map(live => ({
     name: live.parentElement.id, whole: box(live.querySelector(".main-svg")),
-    x: boxes(live, ".xtitle"), y: boxes(live, ".ytitle"), labels: boxes(live, ".xtick text, .ytick text"), legend: boxes(live, ".legendtext"),
+    x: boxes(live, ".xtitle"), y: boxes(live, ".ytitle"), bar: boxes(live, ".cbtitle text"), tools: [...live.querySelectorAll(".modebar-group")].map(box),
+    labels: boxes(live, ".xtick text, .ytick text, .cbaxis text"), legend: boxes(live, ".legendtext"), map: live.querySelector(".hm image") !== null,
   }));
 """
 
@@ -101,8 +102,20 @@ class Browser(BrowserCase):
         self.assertLess(6.6 * max(map(len, legend)), 390 - 56)  # an ä of Helvetica has 0.556 of its 12 pixels; the line before it
         self.assertEqual(self.unfolded("run/report.html")["force-z"], [f"surface liner.{name}" for name in names])
 
+    def assert_titles(self, figure, where, desk):
+        """Titles of the axes and of the colour bar are whole in the figure's box, and on no label and no name of a legend;
+        on a desk they are clear of the tools."""
+        left, top, right, bottom = figure["whole"]
+        self.assertEqual((len(figure["x"]), len(figure["y"]), len(figure["bar"])), (1, 1, int(figure["map"])), where)
+        for title in figure["x"] + figure["y"] + figure["bar"]:
+            self.assertTrue(left <= title[0] and top <= title[1] and title[2] <= right and title[3] <= bottom,
+                            f"{where}: {title} is not in {figure['whole']}")
+            for other in figure["labels"] + figure["legend"] + (figure["tools"] if desk else []):
+                self.assertTrue(title[2] <= other[0] or other[2] <= title[0] or title[3] <= other[1]
+                                or other[3] <= title[1], f"{where}: {title} is on {other}")
+
     def test_titles_of_axes(self):
-        """Whole in the figure's box, and on no label and no name of a legend, on every kind of page."""
+        """On every kind of page."""
         found = 0
         for name in pages.every(self.folder):
             if found == 0:
@@ -111,16 +124,21 @@ class Browser(BrowserCase):
                 seen, _ = self.show(name, width, height, BOXES)
                 for figure in json.loads(seen["tried"]):
                     found += 1
-                    where = f"{name} {figure['name']} {width} x {height}"
-                    left, top, right, bottom = figure["whole"]
-                    self.assertEqual((len(figure["x"]), len(figure["y"])), (1, 1), where)
-                    for title in figure["x"] + figure["y"]:
-                        self.assertTrue(left <= title[0] and top <= title[1] and title[2] <= right and title[3] <= bottom,
-                                        f"{where}: {title} is not in {figure['whole']}")
-                        for other in figure["labels"] + figure["legend"]:
-                            self.assertTrue(title[2] <= other[0] or other[2] <= title[0] or title[3] <= other[1]
-                                            or other[3] <= title[1], f"{where}: {title} is on {other}")
+                    self.assert_titles(figure, f"{name} {figure['name']} {width} x {height}", width > 1000)
         self.assertGreater(found, 60)
+
+    def test_titles_of_colour_bars(self):
+        """Of a map that is too flat for its longest title, and of one that is as high as wide, on desks and a phone."""
+        flat = "fields.bed.region={box: {min: [-4 mm, 0 mm, 0 mm], max: [36 mm, 36 mm, 12 mm]}}"
+        for name, more in (("flat", ("--set", flat)), ("high", ())):
+            pages.field_run(self.path(name), *more)
+            self.need_scripts(clod.run("report", self.path(name)))
+            for width in (1280, 1000, 390):
+                seen, _ = self.show(f"{name}/report.html", width, 2600, BOXES)
+                maps = [figure for figure in json.loads(seen["tried"]) if figure["map"]]
+                self.assertEqual(len(maps), 4)
+                for figure in maps:
+                    self.assert_titles(figure, f"{name} {figure['name']} {width}", width > 1000)
 
     def test_tables_are_whole(self):
         """No table of any page hides a column: at 1280 pixels all have rows and columns, on a phone they may be stacked."""

@@ -1,8 +1,9 @@
-"""The page of a hopper's design: what to build first; every number is that of the design's JSON."""
+"""The page of a hopper's design: warnings first, then what to build; every number is that of the design's JSON."""
 
 import json
 import os
 import re
+import shutil
 import sys
 import xml.etree.ElementTree
 
@@ -64,9 +65,10 @@ class HopperPage(clod.Case):
             for told, end in zip(holes[name], ("value", "low", "high")):
                 self.cell(told, found["rathole"][key][end], 1e3, 1)
         self.cell(holes["vertical stress after filling [kPa]"][0], found["rathole"]["filling_stress_Pa"], 1e-3, 3)
-        causes = {row[0][1]: row[1:3] for row in tables["share of the variance of the critical outlet [%]"][1:]}
+        causes = {row[0][1]: row[1:3] for row in tables["share of the spread of the critical outlet [%]"][1:]}
         for name, key in (("flow function", "flow_function"), ("wall friction", "wall"),
-                          ("effective angle phi_e", "phi_e"), ("bulk density", "rho_b")):
+                          ("effective angle phi_e", "phi_e"), ("bulk density", "rho_b"),
+                          ("told by no curve alone", "no_curve_alone")):
             for told, shape in zip(causes[name], ("cone", "wedge")):
                 self.cell(told, found[shape]["outlet_variance_shares"][key], 100, 1)
         self.assertEqual([text for _, text in tables["curve"][0]], ["curve", "stress [kPa]", "error [kPa]", "value", "error"])
@@ -87,9 +89,9 @@ class HopperPage(clod.Case):
         self.assertIn(f"Limit and half angle: at the outlet of 500.0 mm, where sigma_1 is {1e-3 * at['sigma_1_Pa']:.3f} kPa, phi_e "
                       f"{at['phi_e_deg']:.1f} and the wall friction angle {at['phi_w_deg']:.1f} deg.", page.text)
 
-    def test_what_to_build_comes_first(self):
+    def test_warnings_come_first_then_what_to_build(self):
         page, found = self.design()
-        places = [page.text.index(f'id="{name}"') for name in ("decision", "warnings", "figures", "results", "interval",
+        places = [page.text.index(f'id="{name}"') for name in ("warnings", "decision", "figures", "results", "interval",
                                                                "measured", "provenance")]
         self.assertEqual(places, sorted(places))
         self.assertEqual(page.items[:len(found["warnings"])], found["warnings"])
@@ -160,7 +162,7 @@ class HopperPage(clod.Case):
         wedge = found["wedge"]
         self.assertEqual(wedge["outcome"], "mass_flow_unknown")
         self.assertNotIn("Rathole", page.words)
-        self.assertIn("Not known to be mass flow", page.text[:page.text.index('id="warnings"')])
+        self.assertIn("Not known to be mass flow", page.text[page.text.index('id="decision"'):page.text.index('id="figures"')])
         self.assertTrue(any(item.startswith("Wedge: the half angle of 60.0 deg is") for item in page.items))
         cards = pages.cards(page.text)
         self.assertEqual((float(cards[2][0]), *cards[2][1:3]), (wedge["half_angle_deg"]["value"], "60.0", "deg"))
@@ -179,6 +181,24 @@ class HopperPage(clod.Case):
         self.assertIn("Why: where sigma_1 is 8.000 kPa, phi_e 46.0 deg, and the solid slides at no half angle.", page.text)
         said = [row[1] for row in page.tables[-1] if row[0] == "said in place of the case's value"]
         self.assertEqual(said, ["wall_friction.angle=60 deg", "wedge.half_angle=auto", "interval.samples=100"])
+
+    def test_warnings_that_differ_in_numbers_alone_are_one(self):
+        """The worked case's shear tests at three stresses: two loci have points that lie on no line."""
+        for name in ("hopper.yaml", "shear.csv", "wall.csv"):
+            shutil.copy(clod.source(f"cases/lab-to-outlet/{name}"), self.folder)
+        page, found = self.design()
+        kinds = {}
+        for text in found["warnings"]:
+            kinds.setdefault(re.sub(r"[0-9]+(\.[0-9]+)?", "#", text), []).append(text)
+        joined = [texts for texts in kinds.values() if len(texts) > 1]
+        self.assertGreater(len(joined), 0)
+        self.assertIn("the points do not lie on a line", joined[0][0])
+        box = page.text[page.text.index('id="warnings"'):page.text.index('id="decision"')]
+        self.assertEqual([int(count) for count in re.findall(r"\(one of ([0-9]+) like it\)", box)],
+                         [len(texts) for texts in joined])
+        each = [item for texts in kinds.values() for item in (texts[:1] if len(texts) == 1 else [None, *texts])]
+        items = page.items[:len(each)]
+        self.assertEqual([item for item, of in zip(items, each) if of is not None], [of for of in each if of is not None])
 
     def test_nothing_from_outside_and_names_are_text(self):
         with open(clod.source("cases/hopper-design/hopper.yaml")) as file:

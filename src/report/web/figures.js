@@ -11,6 +11,8 @@ function plain(text) {
 }
 
 const FONT = "Helvetica, Arial, sans-serif";
+const MARGIN = {l: 64, r: 18, t: 12, b: 58}; // below: marks, labels, a gap and the title
+const TOOLS = 30; // pixels that the tools are high
 const pen = document.createElement("canvas").getContext("2d");
 
 /** A name of the legend; of one that is wider than the figure the beginning and the end, as in the SVG. */
@@ -67,7 +69,17 @@ function arrowsOf(trace) {
   return [edge, {...trace, hoverinfo: "skip", line: {color: trace.line.color, width: 1.2}}];
 }
 
-function mapOf(figure, small) {
+/**
+ * Whether the colour bar of a map lies above it: on a phone, and where the title along a bar beside the map would be
+ * longer than that, or reach the tools at its top.
+ */
+function barAbove(figure, width) {
+  pen.font = `${sizeOf(width)}px ${FONT}`;
+  const title = pen.measureText(titleOf(figure.map.value)).width;
+  return width < 480 || title + 2 * TOOLS > equalHeight(figure, width) - MARGIN.t - MARGIN.b;
+}
+
+function mapOf(figure, above) {
   const {map} = figure;
   const at = (a, axis) => [(map.low[a] + map.step[a] / 2) * axis.factor, map.step[a] * axis.factor];
   const [x0, dx] = at(0, figure.x), [y0, dy] = at(1, figure.y);
@@ -81,8 +93,8 @@ function mapOf(figure, small) {
     hoverongaps: false,
     hovertemplate: `${plain(figure.x.text)} %{x:.5g}, ${plain(figure.y.text)} %{y:.5g} ${figure.x.unit}<br>%{z:.5g}${plain(unit)}<extra></extra>`,
     colorbar: {
-      title: {text: titleOf(map.value), side: small ? "top" : "right"}, exponentformat: "e", thickness: 14, outlinewidth: 0, ticks: "outside",
-      ...(small ? {orientation: "h", x: 0, xanchor: "left", y: 1, yanchor: "bottom", len: 1} : {x: 1, len: 1}),
+      title: {text: titleOf(map.value), side: above ? "top" : "right"}, exponentformat: "e", thickness: 14, outlinewidth: 0, ticks: "outside",
+      ...(above ? {orientation: "h", x: 0, xanchor: "left", y: 1, yanchor: "bottom", len: 1} : {x: 1, len: 1}),
     },
   };
 }
@@ -104,12 +116,12 @@ function equalHeight(figure, width) {
 }
 
 /** Axes from edge to edge of a map; room for a bar above it where there is none beside it. */
-function layMap(layout, figure, small) {
+function layMap(layout, figure, above) {
   const {map} = figure;
   const range = (a, cells, axis) => [map.low[a] * axis.factor, (map.low[a] + cells * map.step[a]) * axis.factor];
   Object.assign(layout.xaxis, {range: range(0, map.columns, figure.x), showgrid: false, zeroline: false, showline: true, mirror: true, linecolor: "#1d2733", constrain: "domain"});
   Object.assign(layout.yaxis, {range: range(1, map.rows, figure.y), showgrid: false, zeroline: false, showline: true, mirror: true, linecolor: "#1d2733", constrain: "domain", scaleanchor: "x", ticks: "outside"});
-  if (small) {
+  if (above) {
     layout.margin.t += 56;
     layout.height += 56;
   }
@@ -132,7 +144,7 @@ function layoutOf(figure, width) {
   const rows = figure.curves.filter(curve => curve.name !== "").length;
   const small = width < 480;
   const layout = {
-    margin: {l: 64, r: 18, t: 12, b: 58}, // below: marks, labels, a gap and the title
+    margin: {...MARGIN},
     font: {family: FONT, size: sizeOf(width), color: "#1d2733"},
     height: figure.equal ? equalHeight(figure, width) : small ? 330 : 370,
     legend: {orientation: "h", yref: "container", y: 0, yanchor: "bottom", x: 0},
@@ -146,7 +158,7 @@ function layoutOf(figure, width) {
   layout.height += legend;
   layout.margin.b += legend;
   if (figure.map) {
-    layMap(layout, figure, small);
+    layMap(layout, figure, barAbove(figure, width));
   } else if (figure.equal) {
     layout.yaxis.scaleanchor = "x";
     layout.yaxis.range = [0, 1.06 * figure.y.factor * Math.max(...figure.curves.flatMap(curve => curve.y))];
@@ -168,7 +180,7 @@ function draw(figure, place) {
     return curve.style === "arrows" ? arrowsOf(trace) : [trace];
   });
   if (figure.map) {
-    traces.unshift(mapOf(figure, place.clientWidth < 480));
+    traces.unshift(mapOf(figure, barAbove(figure, place.clientWidth)));
   }
   return Plotly.newPlot(place, traces, layoutOf(figure, place.clientWidth), {
     responsive: true,
