@@ -328,7 +328,7 @@ static void a_given_limit_of_a_wedge_changes_as_that_of_a_cone(void **state)
     assert_true(at.sticks && at.outcome == CLOD_HOPPER_FLOWS);
     check_close(at.half_angle, wish.limit - wish.margin, 1e-12);
     const double cone =
-        clod_hopper_limit_at(&of.solid, at.judged.sigma_1, CLOD_RADIAL_TOLERANCE);
+        clod_hopper_limit_at(&of.solid, at.design_state.sigma_1, CLOD_RADIAL_TOLERANCE);
     check_close(clod_hopper_limit_at(&of.solid, at.state.sigma_1, CLOD_RADIAL_TOLERANCE),
                 at.half_angle - (wish.limit - cone), 1e-4);
     // beyond the limit nothing flows, though the field of a wedge has a solution
