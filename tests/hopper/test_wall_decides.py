@@ -204,7 +204,7 @@ class WallDecides(hopper_case.Case):
         self.hopper("case.yaml", "-o", "design")
         with open(self.path("design.html")) as file:
             page = file.read()
-        part = page[page.index("Rathole, if it is funnel flow"):page.index('id="warnings"')]
+        part = page[page.index("Rathole, if it is funnel flow"):page.index('id="figures"')]
         self.assertEqual(part.count('class="card"'), 0)
         for when in ("emptying", "after filling"):
             self.assertIn(f"<p>No rathole diameter, {when}: ", part)
