@@ -34,7 +34,7 @@ BOXES = """
   return [...document.querySelectorAll("figure .live")].filter(live => live.querySelector(".main-svg")).map(live => ({
     name: live.parentElement.id, whole: box(live.querySelector(".main-svg")),
     x: boxes(live, ".xtitle"), y: boxes(live, ".ytitle"), bar: boxes(live, ".cbtitle text"), tools: [...live.querySelectorAll(".modebar-group")].map(box),
-    labels: boxes(live, ".xtick text, .ytick text, .cbaxis text"), legend: boxes(live, ".legendtext"), map: live.querySelector(".hm image") !== null,
+    labels: boxes(live, ".xtick text, .ytick text, .cbaxis text"), legend: boxes(live, ".legendtext"), maps: [...live.querySelectorAll(".hm image")].map(box),
   }));
 """
 
@@ -103,14 +103,14 @@ class Browser(BrowserCase):
         self.assertEqual(self.unfolded("run/report.html")["force-z"], [f"surface liner.{name}" for name in names])
 
     def assert_titles(self, figure, where, desk):
-        """Titles of the axes and of the colour bar are whole in the figure's box, and on no label and no name of a legend;
+        """Titles of the axes and of the colour bar are whole in the figure's box, and on no label, no map and no name of a legend;
         on a desk they are clear of the tools."""
         left, top, right, bottom = figure["whole"]
-        self.assertEqual((len(figure["x"]), len(figure["y"]), len(figure["bar"])), (1, 1, int(figure["map"])), where)
+        self.assertEqual((len(figure["x"]), len(figure["y"]), len(figure["bar"])), (1, 1, len(figure["maps"])), where)
         for title in figure["x"] + figure["y"] + figure["bar"]:
             self.assertTrue(left <= title[0] and top <= title[1] and title[2] <= right and title[3] <= bottom,
                             f"{where}: {title} is not in {figure['whole']}")
-            for other in figure["labels"] + figure["legend"] + (figure["tools"] if desk else []):
+            for other in figure["labels"] + figure["legend"] + figure["maps"] + (figure["tools"] if desk else []):
                 self.assertTrue(title[2] <= other[0] or other[2] <= title[0] or title[3] <= other[1]
                                 or other[3] <= title[1], f"{where}: {title} is on {other}")
 
@@ -135,7 +135,7 @@ class Browser(BrowserCase):
             self.need_scripts(clod.run("report", self.path(name)))
             for width in (1280, 1000, 390):
                 seen, _ = self.show(f"{name}/report.html", width, 2600, BOXES)
-                maps = [figure for figure in json.loads(seen["tried"]) if figure["map"]]
+                maps = [figure for figure in json.loads(seen["tried"]) if figure["maps"]]
                 self.assertEqual(len(maps), 4)
                 for figure in maps:
                     self.assert_titles(figure, f"{name} {figure['name']} {width}", width > 1000)

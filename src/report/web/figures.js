@@ -69,17 +69,29 @@ function arrowsOf(trace) {
   return [edge, {...trace, hoverinfo: "skip", line: {color: trace.line.color, width: 1.2}}];
 }
 
-/**
- * Whether the colour bar of a map lies above it: on a phone, and where the title along a bar beside the map would be
- * longer than that, or reach the tools at its top.
- */
-function barAbove(figure, width) {
-  pen.font = `${sizeOf(width)}px ${FONT}`;
-  const title = pen.measureText(titleOf(figure.map.value)).width;
-  return width < 480 || title + 2 * TOOLS > equalHeight(figure, width) - MARGIN.t - MARGIN.b;
+/** Length that a colour bar beside its map has at the least. */
+function barLength(figure, width) {
+  return equalHeight(figure, width) - MARGIN.t - MARGIN.b;
 }
 
-function mapOf(figure, above) {
+/** Title of a colour bar; of a bar that is shorter, in two lines, broken between words near the middle. */
+function barTitle(figure, width) {
+  const whole = titleOf(figure.map.value);
+  if (widest(whole, width) <= barLength(figure, width)) {
+    return whole;
+  }
+  const middle = whole.length / 2;
+  const gaps = [...whole.matchAll(/ /g)].map(({index}) => index).sort((a, b) => Math.abs(a - middle) - Math.abs(b - middle));
+  return gaps.length === 0 ? whole : `${whole.slice(0, gaps[0])}<br>${whole.slice(gaps[0] + 1)}`;
+}
+
+/** Width of a text's longest line [pixels]. */
+function widest(text, width) {
+  pen.font = `${sizeOf(width)}px ${FONT}`;
+  return Math.max(...text.split("<br>").map(line => pen.measureText(line).width));
+}
+
+function mapOf(figure, width) {
   const {map} = figure;
   const at = (a, axis) => [(map.low[a] + map.step[a] / 2) * axis.factor, map.step[a] * axis.factor];
   const [x0, dx] = at(0, figure.x), [y0, dy] = at(1, figure.y);
@@ -93,8 +105,8 @@ function mapOf(figure, above) {
     hoverongaps: false,
     hovertemplate: `${plain(figure.x.text)} %{x:.5g}, ${plain(figure.y.text)} %{y:.5g} ${figure.x.unit}<br>%{z:.5g}${plain(unit)}<extra></extra>`,
     colorbar: {
-      title: {text: titleOf(map.value), side: above ? "top" : "right"}, exponentformat: "e", thickness: 14, outlinewidth: 0, ticks: "outside",
-      ...(above ? {orientation: "h", x: 0, xanchor: "left", y: 1, yanchor: "bottom", len: 1} : {x: 1, len: 1}),
+      title: {text: barTitle(figure, width), side: "right"}, exponentformat: "e", thickness: 14, outlinewidth: 0, ticks: "outside",
+      x: 1, len: 1,
     },
   };
 }
@@ -115,15 +127,15 @@ function equalHeight(figure, width) {
   return Math.min(640, Math.max(260, 64 + 1.08 * ratio * (width - 76)));
 }
 
-/** Axes from edge to edge of a map; room for a bar above it where there is none beside it. */
-function layMap(layout, figure, above) {
+/** Axes from edge to edge of a map; room above it for the tools where the bar's title reaches them. */
+function layMap(layout, figure, width) {
   const {map} = figure;
   const range = (a, cells, axis) => [map.low[a] * axis.factor, (map.low[a] + cells * map.step[a]) * axis.factor];
   Object.assign(layout.xaxis, {range: range(0, map.columns, figure.x), showgrid: false, zeroline: false, showline: true, mirror: true, linecolor: "#1d2733", constrain: "domain"});
   Object.assign(layout.yaxis, {range: range(1, map.rows, figure.y), showgrid: false, zeroline: false, showline: true, mirror: true, linecolor: "#1d2733", constrain: "domain", scaleanchor: "x", ticks: "outside"});
-  if (above) {
-    layout.margin.t += 56;
-    layout.height += 56;
+  if (widest(barTitle(figure, width), width) + 2 * TOOLS > barLength(figure, width)) {
+    layout.margin.t += TOOLS;
+    layout.height += TOOLS;
   }
 }
 
@@ -158,7 +170,7 @@ function layoutOf(figure, width) {
   layout.height += legend;
   layout.margin.b += legend;
   if (figure.map) {
-    layMap(layout, figure, barAbove(figure, width));
+    layMap(layout, figure, width);
   } else if (figure.equal) {
     layout.yaxis.scaleanchor = "x";
     layout.yaxis.range = [0, 1.06 * figure.y.factor * Math.max(...figure.curves.flatMap(curve => curve.y))];
@@ -180,7 +192,7 @@ function draw(figure, place) {
     return curve.style === "arrows" ? arrowsOf(trace) : [trace];
   });
   if (figure.map) {
-    traces.unshift(mapOf(figure, barAbove(figure, place.clientWidth)));
+    traces.unshift(mapOf(figure, place.clientWidth));
   }
   return Plotly.newPlot(place, traces, layoutOf(figure, place.clientWidth), {
     responsive: true,
