@@ -15,12 +15,13 @@
 
 static void warn_of_errors(clod_plan *self)
 {
+    size_t next = 0; // entry that has had no warning yet: targets come in the order of theirs
     for (size_t k = 0; k < self->target_count; k++) {
         const clod_plan_target *one = &self->targets[k];
-        const bool told = k > 0 && one->entry == self->targets[k - 1].entry;
-        if (told || one->value == 0.0 || one->error <= fabs(one->value)) {
+        if (one->entry < next || one->value == 0.0 || one->error <= fabs(one->value)) {
             continue;
         }
+        next = one->entry + 1;
         const clod_plan_measure *unit = &one->measure;
         clod_warning_list_add(
             &self->warnings,

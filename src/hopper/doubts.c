@@ -90,15 +90,19 @@ static void warn_large_errors(clod_hopper *self)
                                {"Wall friction", "tau_w", "kPa", 1e-3}};
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         const clod_curve *curve = &self->solid.curves[k];
-        for (size_t i = 0; i < curve->count && curve->count > 1; i++) {
+        for (size_t i = 0; i < curve->count; i++) {
             const clod_curve_point *p = &curve->points[i];
             if (p->y > 0.0 && p->y_error >= p->y) {
+                char at[40] = ""; // a single value is that of any stress
+                if (curve->count > 1) {
+                    snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * p->x);
+                }
                 clod_warning_list_add(
                     &self->warnings,
-                    "%s: %s is %.6g %s with a standard error of %.6g %s at %.6g kPa: nothing was "
+                    "%s: %s is %.6g %s with a standard error of %.6g %s%s: nothing was "
                     "measured then. Is the unit of one of them another one?",
                     OF[k].what, OF[k].name, OF[k].scale * p->y, OF[k].unit,
-                    OF[k].scale * p->y_error, OF[k].unit, 1e-3 * p->x);
+                    OF[k].scale * p->y_error, OF[k].unit, at);
                 break;
             }
         }

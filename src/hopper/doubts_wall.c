@@ -9,6 +9,7 @@
 #define STEEPER (1.0 * DEGREE) // of phi_w: by so much an extrapolation decides
 #define LOWER (0.1 * DEGREE)   // of a limit of mass flow
 #define FLATTER (0.5 * DEGREE) // of a limit, of a margin of some 3 deg
+#define APART 1.1              // of a stress: nearer ones make no slope
 #define MOST_PHI_E (80.0 * DEGREE)
 #define ROUNDS 20 // until sigma_1 and phi_e fit
 
@@ -116,10 +117,18 @@ static void warn_upwards(clod_hopper *self, const char *name, const clod_hopper_
     }
 }
 
-/** phi_e below the smallest measured stress, if it goes on as between the two smallest. */
+/** phi_e below the smallest measured stress, if it goes on as between that and the next that is clearly apart; NAN:
+ *  there is none. */
 static double going_on(const clod_curve *phi_e, double sigma_1)
 {
-    const clod_curve_point *first = &phi_e->points[0], *next = &phi_e->points[1];
+    const clod_curve_point *first = &phi_e->points[0];
+    const clod_curve_point *end = first + phi_e->count, *next = first + 1;
+    while (next < end && next->x < APART * first->x) {
+        next++;
+    }
+    if (next == end) {
+        return (double)NAN;
+    }
     const double slope = (next->y - first->y) / (next->x - first->x);
     return fmin(first->y + slope * (sigma_1 - first->x), MOST_PHI_E);
 }
@@ -134,6 +143,9 @@ static void warn_friction(clod_hopper *self, const char *name, const clod_hopper
         return;
     }
     clod_curve_point there = {.x = sigma_1, .y = going_on(phi_e, sigma_1)};
+    if (isnan(there.y)) {
+        return;
+    }
     clod_solid other = self->solid;
     other.phi_e = (clod_curve){.way = CLOD_CURVE_HELD, .points = &there, .count = 1};
     const double limit =

@@ -41,7 +41,7 @@ static void put_spread(json_t *self, const clod_hopper_found *found)
             json_object_set_new(causes, CLOD_HOPPER_CURVE_KEYS[k], number(found->cause[k]));
         }
     }
-    json_object_set_new(causes, "no_curve_alone", number(found->untold));
+    json_object_set_new(causes, "not_told", number(found->untold));
     json_object_set_new(self, "outlet_variance_shares", causes);
 }
 

@@ -53,7 +53,7 @@ typedef struct clod_hopper_found {
                                          ///< NAN: no sample has one
     double cause[CLOD_SOLID_CURVES]; ///< share of the spread of the outlet that each measured
                                      ///< curve tells alone (samples.h); NAN: not known
-    double untold;                   ///< share that no curve tells alone; NAN: not known
+    double untold; ///< share that all curves together do not tell; NAN: not known
 } clod_hopper_found;
 
 /** What a specimen that is in all yield loci makes of the design, alone; the wall as measured. */

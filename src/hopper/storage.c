@@ -7,14 +7,15 @@
 /** Rows of this table are drawn apart from those of the flow function. */
 #define FIRST_ROW ((size_t)1 << 20)
 
-/** Largest standard error of a curve's points. */
-static double largest_error(const clod_curve *curve)
+/** Standard error of the point of a curve that is nearest to a stress. */
+static double error_near(const clod_curve *curve, double stress)
 {
-    double error = 0.0;
-    for (size_t i = 0; i < curve->count; i++) {
-        error = fmax(error, curve->points[i].y_error);
+    const clod_curve_point *nearest = &curve->points[0];
+    for (size_t i = 1; i < curve->count; i++) {
+        const clod_curve_point *point = &curve->points[i];
+        nearest = fabs(point->x - stress) < fabs(nearest->x - stress) ? point : nearest;
     }
-    return error;
+    return nearest->y_error;
 }
 
 /** Strengths below those without storage, by more than their errors tell. */
@@ -24,7 +25,7 @@ static void warn_weaker(const clod_curve *stored, const clod_curve *at_once,
     for (size_t i = 0; i < stored->count; i++) {
         const clod_curve_point *point = &stored->points[i];
         const double strength = clod_curve_at(at_once, point->x);
-        const double error = hypot(point->y_error, largest_error(at_once));
+        const double error = hypot(point->y_error, error_near(at_once, point->x));
         if (point->y + 2.0 * error < 0.99 * strength) {
             clod_warning_list_add(
                 warnings,

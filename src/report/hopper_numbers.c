@@ -100,7 +100,7 @@ static void put_causes(FILE *out, const clod_hopper *design)
         {CLOD_SOLID_RHO, {"", "bulk density", "%", 100.0, 1.0, 1, NULL}},
     };
     static const clod_hopper_field NO_CURVE = {
-        "", "told by no curve alone", "%", 100.0, 1.0, 1, NULL};
+        "", "not told by all of them", "%", 100.0, 1.0, 1, NULL};
     const clod_hopper_interval *interval = &design->from.interval;
     clod_html_section(out, "interval", "Where the intervals come from");
     fprintf(out,

@@ -143,7 +143,7 @@ bool clod_part_means_read(clod_part_means *self, const clod_folder *folder, cons
     char name[128];
     void *text = NULL;
     size_t size;
-    clod_status why = {CLOD_OK, "it is gone"};
+    clod_status why = {CLOD_OK, "it is gone; put it back, and run the same command again"};
     *self = (clod_part_means){.phase = -1};
     snprintf(name, sizeof name, "%s.csv", part);
     bool good = clod_folder_read(folder, name, &text, &size, status);

@@ -187,7 +187,7 @@ class Measured(hopper_case.Case):
                  "rho_b": outlets(False, False, True)}
         for shape in ("cone", "wedge"):
             shares = every[shape]["outlet_variance_shares"]
-            self.assertEqual(sorted(shares), ["flow_function", "no_curve_alone", "phi_e", "rho_b", "wall"])
+            self.assertEqual(sorted(shares), ["flow_function", "not_told", "phi_e", "rho_b", "wall"])
             self.assertEqual(shares["phi_e"], 0.0)  # it has no errors
             self.assertAlmostEqual(sum(shares.values()), 1.0, delta=0.1)
             for name, found in alone.items():

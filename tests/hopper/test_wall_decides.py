@@ -140,6 +140,8 @@ class WallDecides(hopper_case.Case):
         told = warned("3.1,0.00145,0.08,48,38,1210\n6.2,0.0022,0.001,47,38,1265\n")  # the same, but for the errors
         self.assertIn("Flow function: f_c is 0.00145 kPa with a standard error of 0.08 kPa at 3.1 kPa: nothing was measured then", told)
         self.assertNotIn("nothing was measured", warned(FREE))
+        single = CASE + "bulk_density: {value: 1000 kg/m3, error: 2000 kg/m3}\n"
+        self.assertIn("Bulk density: rho_b is 1000 kg/m3 with a standard error of 2000 kg/m3: nothing", warned(FREE, case=single))
         told = warned("3,3,0,48,40,1250\n6,2,0,47,40,1300\n12,1,0,46,39,1350\n")
         self.assertIn("f_c falls from 3 kPa at sigma_1 3 kPa to 2 kPa at 6 kPa", told)
         self.assertIn("f_c falls from 2 kPa at sigma_1 6 kPa to 1 kPa at 12 kPa", told)

@@ -68,7 +68,7 @@ class HopperPage(clod.Case):
         causes = {row[0][1]: row[1:3] for row in tables["share of the spread of the critical outlet [%]"][1:]}
         for name, key in (("flow function", "flow_function"), ("wall friction", "wall"),
                           ("effective angle phi_e", "phi_e"), ("bulk density", "rho_b"),
-                          ("told by no curve alone", "no_curve_alone")):
+                          ("not told by all of them", "not_told")):
             for told, shape in zip(causes[name], ("cone", "wedge")):
                 self.cell(told, found[shape]["outlet_variance_shares"][key], 100, 1)
         self.assertEqual([text for _, text in tables["curve"][0]], ["curve", "stress [kPa]", "error [kPa]", "value", "error"])
