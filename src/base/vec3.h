@@ -89,3 +89,10 @@ static inline bool clod_vec3_same(clod_vec3 a, clod_vec3 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
+
+/** Axis of space that is nearest to a direction; of two alike the first. */
+static inline int clod_vec3_nearest_axis(const double n[3])
+{
+    const int axis = fabs(n[1]) > fabs(n[0]) ? 1 : 0;
+    return fabs(n[2]) > fabs(n[axis]) ? 2 : axis;
+}

@@ -59,13 +59,6 @@ static void check_directions(clod_loader *loader, const clod_case *self,
     }
 }
 
-/** Axis of space that is nearest to a direction; setup takes the same. */
-static int nearest_axis(const double n[3])
-{
-    int axis = fabs(n[1]) > fabs(n[0]) ? 1 : 0;
-    return fabs(n[2]) > fabs(n[axis]) ? 2 : axis;
-}
-
 static void check_plane(clod_loader *loader, const clod_case *self,
                         const clod_case_gauge *gauge)
 {
@@ -78,7 +71,7 @@ static void check_plane(clod_loader *loader, const clod_case *self,
              "direction: [1, 0, 0]");
         return;
     }
-    const int a = nearest_axis(gauge->direction);
+    const int a = clod_vec3_nearest_axis(gauge->direction);
     const double at = gauge->plane_at;
     double low[3], high[3];
     char text[320];

@@ -1,19 +1,9 @@
 #include "setup/planes.h"
 
-#include <math.h>
-
+#include "base/vec3.h"
 #include "setup/domain.h"
 
 _Static_assert(CLOD_PLANES == CLOD_CASE_GAUGES, "every gauge may have a plane");
-
-int clod_setup_planes_axis(const double direction[3])
-{
-    int axis = 0;
-    for (int a = 1; a < 3; a++) {
-        axis = fabs(direction[a]) > fabs(direction[axis]) ? a : axis;
-    }
-    return axis;
-}
 
 int clod_setup_planes_number(const clod_case *from, const clod_case_gauge *gauge)
 {
@@ -31,7 +21,7 @@ void clod_setup_planes(const clod_case *from, clod_state *state)
     for (size_t k = 0; k < from->gauge_count; k++) { // so many were checked at load
         const clod_case_gauge *gauge = &from->gauges[k];
         if (gauge->has_plane) {
-            const int axis = clod_setup_planes_axis(gauge->direction);
+            const int axis = clod_vec3_nearest_axis(gauge->direction);
             planes->plane[planes->count++] =
                 (clod_plane){.region = clod_setup_domain_region(&gauge->region),
                              .at = gauge->plane_at,

@@ -7,9 +7,6 @@
 #include "clod/case.h"
 #include "state/state.h"
 
-/** Axis of space that is nearest to a direction: 0, 1, 2. Threads: pure. */
-int clod_setup_planes_axis(const double direction[3]);
-
 /** Number of a gauge's plane among those of the state; -1: it has none. Threads: pure. */
 int clod_setup_planes_number(const clod_case *from, const clod_case_gauge *gauge);
 

@@ -5,6 +5,7 @@
 
 #include "base/json.h"
 #include "base/plural.h"
+#include "base/vec3.h"
 #include "setup/planes.h"
 
 /** What has passed the plane of a gauge, which has one. */
@@ -129,7 +130,7 @@ void clod_gauges_plane_report(FILE *out, const clod_gauges *self, const clod_fre
     fprintf(out,
             "  %-21s through %c = %.6g m: %" PRId64 " grain%s, %.6g kg forward; %" PRId64
             " grain%s, %.6g kg back",
-            "", "xyz"[clod_setup_planes_axis(from->direction)], from -> plane_at,
+            "", "xyz"[clod_vec3_nearest_axis(from->direction)], from -> plane_at,
             grains[CLOD_PASSED_FORWARD], clod_plural((double)grains[CLOD_PASSED_FORWARD]),
             count.forward, grains[CLOD_PASSED_BACK],
             clod_plural((double)grains[CLOD_PASSED_BACK]), count.back);
