@@ -1,9 +1,9 @@
 #include "parallel/barrier.h"
 
-void clod_barrier_init(clod_barrier *self, int threads)
+void clod_barrier_init(clod_barrier *self, int threads, int all)
 {
     atomic_init(&self->arrived, 0);
-    clod_gate_init(&self->round, threads);
+    clod_gate_init(&self->round, all);
     self->threads = threads;
 }
 

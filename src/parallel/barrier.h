@@ -12,7 +12,9 @@ typedef struct clod_barrier {
     int threads;
 } clod_barrier;
 
-void clod_barrier_init(clod_barrier *self, int threads);
+/** @param threads  that meet here
+ *  @param all      threads that share their processors, these among them (clod_gate_init) */
+void clod_barrier_init(clod_barrier *self, int threads, int all);
 
 /** Wait until all threads are here; what they wrote before is visible after. */
 void clod_barrier_wait(clod_barrier *self);

@@ -19,8 +19,8 @@ typedef struct clod_gate {
     bool crowded; ///< more threads than processors
 } clod_gate;
 
-/** @param threads  of the team; more than there are processors yield in place of spinning: whoever
- * spins keeps the one that is waited for from its processor */
+/** @param threads  of the team, and of all teams with the same processors; more than there are processors
+ * yield in place of spinning: whoever spins keeps the one that is waited for from its processor */
 void clod_gate_init(clod_gate *self, int threads);
 
 /** How many times it has been opened. */

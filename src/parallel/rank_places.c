@@ -90,6 +90,15 @@ static bool is_within(const clod_rank_place *self, const clod_rank_place *other)
     return within;
 }
 
+int clod_rank_places_beside(const clod_rank_place *place, int ranks, int rank)
+{
+    int beside = 0;
+    for (int r = 0; r < ranks; r++) {
+        beside += is_within(&place[r], &place[rank]);
+    }
+    return beside;
+}
+
 bool clod_rank_places_crowded(const clod_rank_place *place, int ranks, int rank, int threads,
                               clod_rank_host *host)
 {

@@ -57,3 +57,11 @@ bool clod_rank_places_host(const clod_rank_place *place, int ranks, int rank,
  */
 bool clod_rank_places_crowded(const clod_rank_place *place, int ranks, int rank, int threads,
                               clod_rank_host *host);
+
+/**
+ * Ranks that may use no other processors than one of them may, itself among them.
+ *
+ * @param place  [ranks]
+ * Errors  none.   Threads  pure.   Test  tests/parallel/test_rank_places.c
+ */
+int clod_rank_places_beside(const clod_rank_place *place, int ranks, int rank);

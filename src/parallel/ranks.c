@@ -19,6 +19,12 @@ bool clod_ranks_init(clod_ranks *self, clod_status *status)
                             self->size);
 }
 
+int clod_ranks_beside(const clod_ranks *self)
+{
+    return self->place == NULL ? self->size
+                               : clod_rank_places_beside(self->place, self->size, self->rank);
+}
+
 /** A call has ended. */
 static void count_time(clod_ranks_count *count, double began, double worked)
 {

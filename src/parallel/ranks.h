@@ -86,6 +86,10 @@ bool clod_ranks_keep(clod_ranks *self, const clod_message *out, int outs,
 void clod_ranks_start(clod_ranks *self);
 void clod_ranks_finish(clod_ranks *self);
 
+/** Ranks that may use no other processors than this one may, itself among them; all, where that is not
+ *  known. */
+int clod_ranks_beside(const clod_ranks *self);
+
 /** Scratch of the functions below; false without memory. Then clod_ranks_fini. */
 bool clod_ranks_init(clod_ranks *self, clod_status *status);
 void clod_ranks_fini(clod_ranks *self);

@@ -123,7 +123,7 @@ void clod_layer_order_sort(const clod_layer_order *self, clod_chunk parts,
 void clod_layer_order_find(clod_layer_order *self)
 {
     clod_barrier alone;
-    clod_barrier_init(&alone, 1);
+    clod_barrier_init(&alone, 1, 1);
     self->parts = 1;
     clod_layer_order_measure(self, 0);
     clod_layer_order_begin(self);

@@ -191,8 +191,16 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     return !has_trouble(self) || clod_trouble_report(self, status);
 }
 
+/** Threads that want this step's processors: its own, and those of other ranks. */
+static int threads_beside(const clod_step *self)
+{
+    return self->spread == NULL ? self->threads
+                                : self->threads * clod_ranks_beside(self->spread->ranks);
+}
+
 static bool allocate(clod_step *self)
 {
+    const int beside = threads_beside(self);
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
     self->gate = clod_memory_alloc((size_t)self->threads, sizeof *self->gate);
     self->placed_gate = clod_memory_alloc((size_t)self->threads, sizeof *self->placed_gate);
@@ -207,8 +215,8 @@ static bool allocate(clod_step *self)
     }
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].finite = self->thread[t].all_finite = true;
-        clod_gate_init(&self->gate[t], self->threads);
-        clod_gate_init(&self->placed_gate[t], self->threads);
+        clod_gate_init(&self->gate[t], beside);
+        clod_gate_init(&self->placed_gate[t], beside);
     }
     return true;
 }
@@ -271,7 +279,7 @@ static bool prepare(clod_step *self, clod_state *state, const clod_laws *laws,
     }
     self->view.overlap_limit =
         options->overlap_limit > 0.0 ? options->overlap_limit : CLOD_STEP_OVERLAP;
-    clod_barrier_init(&self->barrier, self->threads);
+    clod_barrier_init(&self->barrier, self->threads, threads_beside(self));
     return clod_step_derive(self, status);
 }
 

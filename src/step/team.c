@@ -13,7 +13,7 @@ void clod_team_run(clod_step *self, void (*work)(clod_step *self, int part))
     }
     if (alone) {
         self->threads = 1;
-        clod_barrier_init(&self->barrier, 1);
+        clod_barrier_init(&self->barrier, 1, 1);
         work(self, 0);
     }
 }

@@ -35,7 +35,7 @@ static clod_sort_item *sort_together(const clod_parallel_sort *job, int threads)
     clod_barrier barrier;
     pthread_t thread[MOST_THREADS];
     member members[MOST_THREADS];
-    clod_barrier_init(&barrier, threads);
+    clod_barrier_init(&barrier, threads, threads);
     for (int t = 0; t < threads; t++) {
         members[t] = (member){.job = job, .barrier = &barrier, .number = t};
         assert_int_equal(pthread_create(&thread[t], NULL, take_part, &members[t]), 0);

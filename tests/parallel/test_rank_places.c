@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "parallel/ranks.h"
 #include "parallel/threads.h"
 #include "support/check.h"
 
@@ -61,6 +62,27 @@ static void ranks_that_share_some_processors_are_found(void **state)
     assert_int_equal(processors, 4);
     static const clod_rank_place UNKNOWN[] = {{.host = "a"}, {.host = "a"}};
     assert_int_equal(crowd(UNKNOWN, 2, 1, &processors), 0);
+}
+
+/** Ranks that can only be where one of them is, by counting the sets above. */
+static void ranks_with_no_other_processors_are_counted(void **state)
+{
+    (void)state;
+    for (int r = 0; r < 4; r++) {
+        assert_int_equal(clod_rank_places_beside(PLACE, 4, r), r < 2 ? 2 : 1);
+    }
+    static const clod_rank_place NESTED[] = {{.host = "a", .processor = {0xf}},
+                                             {.host = "a", .processor = {3}},
+                                             {.host = "a", .processor = {1}},
+                                             {.host = "b", .processor = {3}}};
+    static const int BESIDE[] = {3, 2, 1, 1};
+    for (int r = 0; r < 4; r++) {
+        assert_int_equal(clod_rank_places_beside(NESTED, 4, r), BESIDE[r]);
+    }
+    const clod_ranks unknown = {.rank = 1, .size = 5};
+    const clod_ranks known = {.rank = 1, .size = 4, .place = (clod_rank_place *)NESTED};
+    assert_int_equal(clod_ranks_beside(&unknown), 5);
+    assert_int_equal(clod_ranks_beside(&known), 2);
 }
 
 /** As taskset and the kernel's Cpus_allowed_list write them. */
@@ -130,6 +152,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ranks_are_counted_by_host),
         cmocka_unit_test(ranks_that_share_some_processors_are_found),
+        cmocka_unit_test(ranks_with_no_other_processors_are_counted),
         cmocka_unit_test(processors_are_listed),
         cmocka_unit_test(processors_of_one_rank_that_are_not_known_are_not_counted),
         cmocka_unit_test(long_names_are_told_apart),

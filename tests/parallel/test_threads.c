@@ -126,7 +126,7 @@ static void a_barrier_separates_rounds(void **state)
         meeting all = {0};
         member members[4];
         pthread_t thread[4];
-        clod_barrier_init(&all.barrier, threads);
+        clod_barrier_init(&all.barrier, threads, threads);
         for (int t = 0; t < threads; t++) {
             members[t] = (member){&all, t, 0};
             assert_int_equal(pthread_create(&thread[t], NULL, take_part, &members[t]), 0);

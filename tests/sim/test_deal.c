@@ -65,7 +65,7 @@ static void no_rank_has_a_list_of_all_grains(void **state)
 {
     (void)state;
     const int64_t grains = 252000;
-    if (looks_for_races()) {
+    if (sanitized()) {
         skip(); // it counts bytes
     }
     const byte_counts found = count_bytes(MANY, (size_t)grains);

@@ -147,8 +147,8 @@ static void a_hopper_that_empties_is_the_same_on_ranks(void **state)
 
 static void a_chute_that_is_empty_between_is_the_same_on_ranks(void **state)
 {
-    if (sanitized() && !looks_for_races()) {
-        skip();
+    if (sanitized()) {
+        skip(); // step/test_ranks has streams, step/test_ranks_empty beds without grains
     }
     compare(state, (whole_run){.file = "parallel/chute.yaml"}, many(), 10);
 }
@@ -165,6 +165,9 @@ static void seeds_on_groups_are_the_same(void **state)
     atomic_store(&splits, 0);
     compare(state, run, 3, 20);
     assert_int_equal(atomic_load(&splits), 2 * 3); // fillings and shear tests, by each rank
+    if (looks_for_races()) {
+        return; // the same groups do less
+    }
     snprintf(first, sizeof first, "%s/one", (const char *)*state);
     run.from = first;
     run.overrides[6] = "wall_friction.wall_stresses=[1 kPa, 0.8 kPa]";

@@ -98,7 +98,7 @@ static void run_threads(clod_layer_order *order, int threads)
     clod_barrier barrier;
     pthread_t thread[MOST_THREADS];
     member members[MOST_THREADS];
-    clod_barrier_init(&barrier, threads);
+    clod_barrier_init(&barrier, threads, threads);
     for (int t = 0; t < threads; t++) {
         members[t] = (member){order, &barrier, t};
         assert_int_equal(pthread_create(&thread[t], NULL, take_part, &members[t]), 0);

@@ -148,7 +148,7 @@ static void beds_with_walls_close(void **state)
         bed_init(&s, (bed_kind)kind, 2);
         scene_start(&s);
         scene_open_ledger(&s);
-        scene_run(&s, 20000);
+        scene_run(&s, 10000);
         const outcome o = close_books(&s);
         assert_true(o.ledger.plastic > 0.0 && o.ledger.dash_pot > 0.0 &&
                     o.ledger.friction > 0.0 && o.ledger.rolling > 0.0);

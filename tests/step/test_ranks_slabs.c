@@ -108,7 +108,10 @@ static void compare(written_bed how)
     static const int RANKS[] = {2, 3, 4, 7};
     written_bed one = how;
     run_bed(&one, NULL);
-    for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k += sanitized() ? 2 : 1) {
+    for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k++) {
+        if (left_out(k, how.kind == BED_SLIT ? 3 : 1)) {
+            continue;
+        }
         ranks_crew_run(RANKS[k], run_bed, &how);
         for (int n = 0; n < 2; n++) {
             for (int f = 0; f < FILES; f++) {
@@ -183,7 +186,7 @@ static void a_bed_of_several_slabs(void **folder)
 {
     large_bed one = {.folder = folder}, several = {.folder = folder};
     write_large(&one, NULL);
-    for (int ranks = 2; ranks <= 7; ranks += 5) {
+    for (int ranks = sanitized() ? 7 : 2; ranks <= 7; ranks += 5) {
         ranks_crew_run(ranks, write_large, &several);
         for (int f = 0; f < FILES; f++) {
             assert_int_equal(several.to.size[f], one.to.size[f]);

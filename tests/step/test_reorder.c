@@ -39,7 +39,7 @@ static void find_order(clod_step *step)
                               .place = (const double(*)[4])state->grains.position,
                               .parts = parts};
     clod_barrier alone;
-    clod_barrier_init(&alone, 1);
+    clod_barrier_init(&alone, 1, 1);
     assert_true(clod_neighbour_reserve(neighbour, state, &step->status));
     for (int p = parts; p-- > 0;) {
         assert_true(clod_neighbour_wrap(neighbour, state, 0,

@@ -5,6 +5,7 @@
  * on which thread comes first.
  */
 
+#include <limits.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <string.h>
@@ -135,14 +136,15 @@ static inline bool ranks_look(clod_ranks *self, int from, int *word)
     return there;
 }
 
-/** @param threads  of the whole program */
-static inline void ranks_team_init(ranks_team *team, int size, int threads)
+/** Gates that yield: a test shares the machine with others, and spinning costs two ranks five times the
+ *  processor time of their work. */
+static inline void ranks_team_init(ranks_team *team, int size)
 {
     memset(team->box, 0, sizeof team->box);
     memset(team->words, 0, sizeof team->words);
     for (int r = 0; r < size; r++) {
-        clod_gate_init(&team->sent[r], threads);
-        clod_gate_init(&team->taken[r], threads);
+        clod_gate_init(&team->sent[r], INT_MAX);
+        clod_gate_init(&team->taken[r], INT_MAX);
     }
     team->lock = (pthread_mutex_t)PTHREAD_MUTEX_INITIALIZER;
     atomic_init(&team->members, size);
@@ -193,7 +195,7 @@ static inline bool ranks_split(clod_ranks *self, int colour, clod_ranks *part,
     if (self->rank == first) {
         made = clod_memory_alloc(1, sizeof *made);
         CLOD_ASSERT(made != NULL);
-        ranks_team_init(made, size, self->size);
+        ranks_team_init(made, size);
     }
     clod_ranks_gather(self, &made, sizeof made, teams);
     *part = ranks_of(teams[first], before, size);
@@ -219,7 +221,7 @@ static inline void ranks_run(int size, void (*run)(clod_ranks *ranks, void *cont
     CLOD_ASSERT(size <= RANKS_MOST);
     team.run = run;
     team.context = context;
-    ranks_team_init(&team, size, size);
+    ranks_team_init(&team, size);
     for (int r = 0; r < size; r++) {
         team.rank[r] = ranks_of(&team, r, size);
         CLOD_ASSERT(clod_ranks_init(&team.rank[r], &status));

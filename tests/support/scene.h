@@ -140,11 +140,23 @@ static inline clod_shape shape_hopper(double foot, double foot_radius, double to
     return shape;
 }
 
+/** Threads of a test yield while they wait, and do not spin: other tests want their processors. */
+static inline void scene_yields(clod_step *step)
+{
+    step->barrier.round.crowded = true;
+    for (int t = 0; t < step->threads; t++) {
+        step->gate[t].crowded = step->placed_gate[t].crowded = true;
+    }
+}
+
 static inline void scene_start_with(scene *self, clod_step_options options)
 {
     clod_status status = {0};
     if (!clod_step_init(&self->step, &self->state, &self->laws, &options, &status)) {
         fail_msg("%s", status.text);
+    }
+    if (self->step.gate != NULL) {
+        scene_yields(&self->step);
     }
 }
 
