@@ -12,9 +12,9 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import pages
+from browser import BrowserCase
 from pages import clod
 
-BROWSER = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "google-chrome"))), None)
 MARGIN = 14 / 25.4 * 72  # points, as the style's @page has it
 SCALE = 2                # pixels of a point
 ROW = 60.0               # points: no row of a table is higher
@@ -62,19 +62,13 @@ def letters(words):
     return "".join(words)
 
 
-@clod.unittest.skipIf(BROWSER is None, "no browser: Debian's chromium-headless-shell shows the pages")
 @clod.unittest.skipIf(shutil.which("pdftotext") is None or shutil.which("pdftoppm") is None,
                       "no pdftotext: Debian's poppler-utils has it")
-class Print(clod.Case):
+class Print(BrowserCase):
 
     def printed(self, name):
         pdf = self.path("page.pdf")
-        done = subprocess.run(
-            [BROWSER, "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-             f"--user-data-dir={self.path('profile')}", "--virtual-time-budget=20000", "--no-pdf-header-footer",
-             f"--print-to-pdf={pdf}", f"file://{self.path(name)}"],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600)
-        self.assertTrue(os.path.exists(pdf), done.stderr[-2000:])
+        self.print(name, pdf)
         return Paper(pdf)
 
     def assert_inside(self, paper):
