@@ -100,7 +100,8 @@ class Browser:
         self.do("Page.navigate", url=f"file://{path}")
         while not any(event["method"] == "Page.loadEventFired" for event in self.events):
             self.events.append(self.message())
-        self.value(THROUGH)
+        if not self.said():  # else the scripts may be none, which never come through
+            self.value(THROUGH)
 
     def said(self):
         """What the page's scripts have written on the console, and their errors."""
@@ -123,6 +124,7 @@ class BrowserCase(clod.Case):
         """The page after its scripts ran: attributes of its root element, and its figures. `then`: the
         body of a function of a user's; what it returns is the attribute `tried`."""
         self.browser.open(self.path(name), width, height)
+        self.assertEqual(self.browser.said(), [])
         self.assertEqual(self.browser.value("document.documentElement.clientWidth"), width)
         seen = self.browser.value("({...document.documentElement.dataset})")
         if then is not None:
