@@ -151,12 +151,13 @@ class Uniaxial(clod.TesterCase):
 class Small(clod.TesterCase):
     """With a ledger of the energy, which takes most of the time: few and soft grains."""
 
-    FOLDER = clod.make_folder()
-    CASE, OPTIONS, POINTS = os.path.join(FOLDER, "case.yaml"), ("-t", "1"), "flow_function.csv"
+    OPTIONS, POINTS = ("-t", "1"), "flow_function.csv"
 
     @classmethod
     def setUpClass(cls):
-        cls.addClassCleanup(shutil.rmtree, cls.FOLDER)
+        folder = clod.make_folder()
+        cls.addClassCleanup(shutil.rmtree, folder)
+        cls.CASE = os.path.join(folder, "case.yaml")
         with open(clod.source("tests/faults/uniaxial.yaml")) as file:
             text = file.read() + "output: {energy: true}\n"
         with open(cls.CASE, "w") as file:
