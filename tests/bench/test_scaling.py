@@ -93,7 +93,7 @@ class Counts(unittest.TestCase):
     def test_they_are_those_of_the_code(self):
         c = constants.load("here")
         bytes_of = {"ghost": c.code_ghost, "order": c.code_order, "state": c.code_state}
-        for ranks, edge in ((2, 8), (3, 8), (5, 8), (8, 8), (4, 12), (64, 12)):
+        for ranks, edge in ((2, 8), (3, 8), (5, 8), (8, 8), (4, 12), (27, 9)):
             done = subprocess.run([BENCH_RANKS, str(ranks), str(edge)], capture_output=True,
                                   text=True, check=True)
             said, guess = json.loads(done.stdout), lattice.predict(edge, ranks, bytes_of)
@@ -255,9 +255,9 @@ class ClosedModel(unittest.TestCase):
 
     def test_noise_costs_the_largest_of_all_ranks(self):
         c = machine(noise=0.05)
-        bed = geometry.Bed(256 * 100.0, 256, 1e-6)
+        bed = geometry.Bed(100 * 100.0, 100, 1e-6)
         step = simulate.run(c, bed, steps=100).step
-        self.assertAlmostEqual((step / 1e-4 - 1.0) / 0.05, 2.83, delta=0.1)  # mean of 100 maxima
+        self.assertAlmostEqual((step / 1e-4 - 1.0) / 0.05, 2.5076, delta=0.1)  # mean of 100 maxima; below for its source
 
     def test_the_largest_of_normal_numbers(self):
         # order statistics of normal samples: 1 / sqrt(pi) of 2, 2.5076 of 100, 3.2414 of 1000

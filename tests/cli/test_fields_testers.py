@@ -17,8 +17,8 @@ SHEARED = 3  # phase
 SMALL_WALL = (("shear_min: 2.5 mm", "shear_min: 1 mm"), ("shear_max: 5 mm", "shear_max: 1.2 mm"),
               ("block_displacement: 0.5 mm", "block_displacement: 0.3 mm\n  steady_blocks: 3"),
               ("grain_count: 400", "grain_count: 60"), ("outer_radius: 30 mm", "outer_radius: 14 mm"))
-SHORT = (("preshear_max: 30 mm", "preshear_max: 9 mm"),
-         ("preshear_stress: 10 kPa", "preshear_min: 9 mm\n  preshear_stress: 10 kPa"))
+SMALL_RING = clod.source("tests/restart/ring.yaml")
+PLAIN = (", energy: true", "")  # SMALL_RING without its ledger, which takes most of the time
 PHASES = {"preshear": "preshear", "reverse": "reverse", "point": "shear", "fill": "fill", "stress": "crush", "wall": "shear"}
 ANNULUS = "{{annulus: {{center: [0 m, 0 m, {} m], inner_radius: 20 mm, outer_radius: 40 mm, height: {} m}}}}"
 
@@ -93,17 +93,17 @@ class FieldsOfTests(clod.Case):
                     self.assertAlmostEqual(row["field_whole.density"] * volume / mass, 1.0, delta=1e-9)
 
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
-        self.write(RING, ring_fields(), *SHORT)
+        self.write(SMALL_RING, ring_fields(), PLAIN)
         self.go("one")
         self.go("two", "2")
-        self.stop_after(150, "cut", "preshear.csv", "1")
+        self.stop_after(60, "cut", "preshear.csv", "1")
         self.go("cut")
-        for part in ("preshear", "reverse", "point-1", "point-2", "point-3"):
+        for part in ("preshear", "reverse", "point-1", "point-2"):
             whole = clod.read(self.path(f"one/{part}.csv"))
             self.assertIn(b"field_middle.contact_stress_tz [Pa]", whole)
             self.assertEqual(whole, clod.read(self.path(f"two/{part}.csv")), part)
             self.assertEqual(whole, clod.read(self.path(f"cut/{part}.csv")), part)
-        self.write(RING, "", *SHORT)
+        self.write(SMALL_RING, "", PLAIN)
         self.check_fields_change_nothing("one")
 
     def check_fields_change_nothing(self, folder):

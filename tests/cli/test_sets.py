@@ -28,7 +28,7 @@ contacts:
   default: {law: mepa, exponent: 1.5, k1: 4.75e5 N/m^1.5, k2: 2.37e6 N/m^1.5, k_adh: 5e4 N/m^1.5,
             restitution: 0.3, friction: 0.2, rolling: epsd2, rolling_friction: 0.02}
 gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
-time: {step: 2e-5 s, design_stress: 1 kPa}
+time: {step: 4e-5 s, design_stress: 1 kPa}
 domain: {min: [-0.2 m, -0.2 m, -0.4 m], max: [0.6 m, 0.2 m, 0.2 m], open: delete}
 grains:
   - material: ore

@@ -35,16 +35,6 @@ class Uniaxial(clod.TesterCase):
         assert done.returncode == 0, done.stderr
         cls.check = json.loads(done.stdout)
 
-    def test_energy_ledger_closes_over_all_phases(self):
-        """Also where the mould is taken away with what its contacts store."""
-        for name in self.part:
-            with self.subTest(part=name):
-                rows = list(csv.DictReader(open(os.path.join(self.out, f"{name}-energy.csv"))))
-                self.assertGreater(len(rows), 50)
-                self.assertGreater(float(rows[-1]["lost_friction [J]"]), 0.0)
-                for row in rows:
-                    self.assertLess(abs(float(row["residual_of_flow [1]"])), 1e-3)
-
     def rows(self, part, phase):
         return [row for row in self.series[part] if row["phase"] == phase]
 
@@ -147,11 +137,6 @@ class Uniaxial(clod.TesterCase):
         for text in ("inertial number", "grain diameters across"):
             self.assertTrue([w for w in self.check["warnings"] if text in w], text)
 
-    @clod.quick_only
-    def test_an_interrupted_test_ends_the_same(self):
-        """Stopped while the mould goes, and again while the specimen is crushed."""
-        self.assert_same_end_after_interruptions(("consolidate", "free", "crush"), ["fill", *PARTS])
-
     def test_whatever_a_test_writes_protects_a_folder_of_the_user(self):
         for name in os.listdir(self.out):
             if name == ".clod-lock":
@@ -161,6 +146,38 @@ class Uniaxial(clod.TesterCase):
             shutil.copy(os.path.join(self.out, name), mine)
             done = clod.run("run", CASE, "-o", mine, "--fresh")
             self.assertEqual(done.returncode, 2, name)
+
+
+class Small(clod.TesterCase):
+    """With a ledger of the energy, which takes most of the time: few and soft grains."""
+
+    OPTIONS, POINTS = ("-t", "1"), "flow_function.csv"
+
+    @classmethod
+    def setUpClass(cls):
+        folder = clod.make_folder()
+        cls.addClassCleanup(shutil.rmtree, folder)
+        cls.CASE = os.path.join(folder, "case.yaml")
+        with open(clod.source("tests/faults/uniaxial.yaml")) as file:
+            text = file.read() + "output: {energy: true}\n"
+        with open(cls.CASE, "w") as file:
+            file.write(text)
+        super().setUpClass()
+
+    def test_energy_ledger_closes_over_all_phases(self):
+        """Also where the mould is taken away with what its contacts store."""
+        for name in self.part:
+            with self.subTest(part=name):
+                rows = list(csv.DictReader(open(os.path.join(self.out, f"{name}-energy.csv"))))
+                self.assertGreater(len(rows), 20)
+                self.assertGreater(float(rows[-1]["lost_friction [J]"]), 0.0)
+                for row in rows:
+                    self.assertLess(abs(float(row["residual_of_flow [1]"])), 1e-3)
+
+    @clod.quick_only
+    def test_an_interrupted_test_ends_the_same(self):
+        """Stopped while the mould goes, and again while the specimen is crushed."""
+        self.assert_same_end_after_interruptions(("consolidate", "free", "crush"), ["fill", *PARTS])
 
 
 if __name__ == "__main__":

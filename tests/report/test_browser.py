@@ -37,13 +37,31 @@ BOXES = """
     labels: boxes(live, ".xtick text, .ytick text, .cbaxis text"), legend: boxes(live, ".legendtext"), maps: [...live.querySelectorAll(".hm image")].map(box),
   }));
 """
+HEIGHT = {1280: 2600, 390: 1300}
 
 
 class Browser(BrowserCase):
 
-    def unfolded(self, name):
+    @classmethod
+    def setUpClass(cls):
+        """One page of each kind, in a folder that outlives the tests, and what a browser showed of it."""
+        super().setUpClass()
+        cls.shared = clod.make_folder()
+        cls.addClassCleanup(shutil.rmtree, cls.shared)
+        cls.names = pages.every(cls.shared)
+        cls.kept = {}
+        cls.asked = clod.run("report", os.path.join(cls.shared, "free"))
+
+    def look(self, name, width):
+        """show() of a shared page on a desk or a phone, high enough for every figure; once for all tests. `tried` has the boxes."""
+        self.need_scripts(self.asked)
+        if (name, width) not in self.kept:
+            self.kept[name, width] = self.show(os.path.join(self.shared, name), width, HEIGHT[width], BOXES)
+        return self.kept[name, width]
+
+    def unfolded(self, name, folder=None):
         """Figures that are not folded away, and the names of their curves, as the file has them."""
-        page = pages.load(self.path(name))
+        page = pages.load(os.path.join(folder or self.folder, name))
         open_parts = re.sub(r"<details.*?</details>", "", page.text, flags=re.S)
         return {figure: [curve["name"] for curve in page.figures[figure]["curves"] if curve["name"]]
                 for figure in re.findall(r'<figure [^>]*id="figure-([^"]*)"', open_parts)}
@@ -73,10 +91,8 @@ class Browser(BrowserCase):
         self.assertGreater(view["colours"], 50)     # spheres have shades
 
     def test_numbers_and_width(self):
-        pages.uniaxial(self.path("run"))
-        self.need_scripts(clod.run("report", self.path("run")))
-        for width in (1200, 390):
-            seen, dom = self.show("run/report.html", width)
+        for width in HEIGHT:
+            seen, dom = self.look("uniaxial/report.html", width)
             self.assert_drawn(seen, dom, {
                 "flow-function": ["simulation", "ffc = 1", "ffc = 2", "ffc = 4", "ffc = 10"],
                 "axial-stress": ["stress-1"], "bulk-density": ["stress-1"]})
@@ -117,22 +133,22 @@ class Browser(BrowserCase):
     def test_titles_of_axes(self):
         """On every kind of page."""
         found = 0
-        for name in pages.every(self.folder):
-            if found == 0:
-                self.need_scripts(clod.run("report", self.path("free")))
-            for width, height in ((1200, 2600), (390, 1300), *(((1200, 900), (390, 700)) if found == 0 else ())):
-                seen, _ = self.show(name, width, height, BOXES)
+        for name in self.names:
+            shown = [(where, *self.look(name, where)) for where in HEIGHT]
+            if name == self.names[0]:
+                shown += [(where, *self.show(os.path.join(self.shared, name), *where, BOXES)) for where in ((1200, 900), (390, 700))]
+            for where, seen, _ in shown:
                 for figure in json.loads(seen["tried"]):
                     found += 1
-                    self.assert_titles(figure, f"{name} {figure['name']} {width} x {height}", width > 1000)
+                    self.assert_titles(figure, f"{name} {figure['name']} {where}", where not in (390, (390, 700)))
         self.assertGreater(found, 60)
 
     def test_titles_of_colour_bars(self):
         """Of a map that is too flat for its longest title, and of one that is as high as wide, on desks and a phone."""
         flat = "fields.bed.region={box: {min: [-4 mm, 0 mm, 0 mm], max: [36 mm, 36 mm, 12 mm]}}"
-        for name, more in (("flat", ("--set", flat)), ("high", ())):
-            pages.field_run(self.path(name), *more)
-            self.need_scripts(clod.run("report", self.path(name)))
+        pages.field_run(self.path("flat"), "--set", flat)
+        self.need_scripts(clod.run("report", self.path("flat")))
+        for name in (self.path("flat"), os.path.join(self.shared, "field")):
             for width in (1280, 1000, 390):
                 seen, _ = self.show(f"{name}/report.html", width, 2600, BOXES)
                 maps = [figure for figure in json.loads(seen["tried"]) if figure["maps"]]
@@ -142,23 +158,22 @@ class Browser(BrowserCase):
 
     def test_tables_are_whole(self):
         """No table of any page hides a column: at 1280 pixels all have rows and columns, on a phone they may be stacked."""
-        names = pages.every(self.folder)
-        self.need_scripts(clod.run("report", self.path("free")))
+        shared = lambda *names: [os.path.join(self.shared, name) for name in names]
         for name in ("packing0", "packing1"):  # few runs: columns
             pages.wall(self.path(f"wall-{name}"))
-        clod.run("compare", *map(self.path, ("packing0", "packing1", "packing2")), "-o", self.path("few.html"))
-        clod.run("compare", *map(self.path, ("uniaxial", "uniaxial")), "-o", self.path("strengths.html"))
+        clod.run("compare", *shared("packing0", "packing1", "packing2"), "-o", self.path("few.html"))
+        clod.run("compare", *shared("uniaxial", "uniaxial"), "-o", self.path("strengths.html"))
         clod.run("compare", *map(self.path, ("wall-packing0", "wall-packing1")), "-o", self.path("walls.html"))
-        clod.run("compare", *map(self.path, ("free", "free")), "-o", self.path("frees.html"))
+        clod.run("compare", *shared("free", "free"), "-o", self.path("frees.html"))
         with open(self.path("lab.csv"), "w") as file:
             file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
                        "10,7.2,3,3.25,1650\n10,7.2,5,4.61,1650\n10,7.2,7.5,5.75,1650\n")
-        clod.run("report", self.path("ring"), "--lab", self.path("lab.csv"), "-o", self.path("lab.html"))
+        clod.run("report", *shared("ring"), "--lab", self.path("lab.csv"), "-o", self.path("lab.html"))
         pages.shear(self.path("jenike"), key="jenike")
         clod.run("report", self.path("jenike"), "-o", self.path("jenike.html"))
-        for name in [*names, "few.html", "strengths.html", "walls.html", "frees.html", "lab.html", "jenike.html"]:
-            for width in (1280, 390):
-                seen, _ = self.show(name, width)
+        for name in [*self.names, "few.html", "strengths.html", "walls.html", "frees.html", "lab.html", "jenike.html"]:
+            for width in HEIGHT:
+                seen, _ = self.look(name, width) if name in self.names else self.show(name, width)
                 self.assertEqual(json.loads(seen["hidden"]), [], f"{name} at {width}")
                 if width == 1280:
                     self.assertEqual(seen["stacked"], "0", name)
@@ -197,19 +212,15 @@ class Browser(BrowserCase):
             self.assertAlmostEqual((y - top) / up, 1e-3 * (last["prorated_Pa"] - first["prorated_Pa"]), delta=0.1 / up)
 
     def test_wall_friction(self):
-        pages.wall(self.path("wall"))
-        self.need_scripts(clod.run("report", self.path("wall")))
-        seen, dom = self.show("wall/report.html", 390)
-        self.assert_drawn(seen, dom, self.unfolded("wall/report.html"))
+        seen, dom = self.look("wall/report.html", 390)
+        self.assert_drawn(seen, dom, self.unfolded("wall/report.html", self.shared))
 
     def test_slices_of_a_field(self):
         """Maps have the colours of their numbers, blank cells none, at equal scale; on a phone the bar is above."""
-        pages.field_run(self.path("field"))
-        self.need_scripts(clod.run("report", self.path("field")))
-        figures = pages.load(self.path("field/report.html")).figures
-        for width in (1200, 390):
-            seen, dom = self.show("field/report.html", width)
-            self.assert_drawn(seen, dom, self.unfolded("field/report.html"))
+        figures = pages.load(os.path.join(self.shared, "field/report.html")).figures
+        for width in HEIGHT:
+            seen, dom = self.look("field/report.html", width)
+            self.assert_drawn(seen, dom, self.unfolded("field/report.html", self.shared))
             for name, title in (("density", "bulk density [kg/m3]"), ("pressure", "pressure, contact + kinetic [Pa]"),
                                 ("speed", "speed [m/s]"), ("coordination", "contacts of a grain")):
                 drawn = pages.Drawn(dom, f"field-bed-{name}")
@@ -256,12 +267,11 @@ class Browser(BrowserCase):
 
     def test_hopper(self):
         """The page of a design, on a desk and on a phone; the critical state stands on the line of its flow factor."""
-        self.need_scripts(pages.hopper(self.folder))
-        for width in (1200, 390):
-            seen, dom = self.show("design.html", width)
-            self.assert_drawn(seen, dom, self.unfolded("design.html"))
+        for width in HEIGHT:
+            seen, dom = self.look("design.html", width)
+            self.assert_drawn(seen, dom, self.unfolded("design.html", self.shared))
             chart = pages.Drawn(dom, "design-chart")
-            with open(self.path("design.json")) as file:
+            with open(os.path.join(self.shared, "design.json")) as file:
                 cone = json.load(file)["cone"]
             origin = chart.lines()[2][0]  # of the cone's flow factor: flow function and bars are before it
             wanted = (origin[0] + 1e-3 * cone["sigma_1_Pa"]["value"] * chart.pixels("x"),

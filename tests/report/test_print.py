@@ -3,6 +3,7 @@
 Skipped where there is no browser, or no pdftotext and pdftoppm (Debian's poppler-utils).
 """
 
+import collections
 import html
 import os
 import re
@@ -12,9 +13,9 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import pages
+from browser import BrowserCase
 from pages import clod
 
-BROWSER = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "google-chrome"))), None)
 MARGIN = 14 / 25.4 * 72  # points, as the style's @page has it
 SCALE = 2                # pixels of a point
 ROW = 60.0               # points: no row of a table is higher
@@ -33,12 +34,13 @@ class Paper:
         self.pdf = pdf
 
     def pixels(self, number):
-        """Rows of (r, g, b) of a page, counted from 0."""
+        """Rows of (red, green, blue) of a page, each the bytes of its pixels; pages are counted from 0."""
         ppm = subprocess.run(["pdftoppm", "-r", str(72 * SCALE), "-f", str(number + 1), "-l", str(number + 1), self.pdf],
                              stdout=subprocess.PIPE, check=True).stdout
         _, width, height, _, data = re.match(rb"(P6)\s(\d+) (\d+)\s(\d+)\s(.*)", ppm, re.S).groups()
         width = int(width)
-        return [[tuple(data[3 * (y * width + x):3 * (y * width + x) + 3]) for x in range(width)] for y in range(int(height))]
+        rows = [data[3 * y * width:3 * (y + 1) * width] for y in range(int(height))]
+        return [(row[0::3], row[1::3], row[2::3]) for row in rows]
 
 
 def words_of(markup):
@@ -62,19 +64,13 @@ def letters(words):
     return "".join(words)
 
 
-@clod.unittest.skipIf(BROWSER is None, "no browser: Debian's chromium-headless-shell shows the pages")
 @clod.unittest.skipIf(shutil.which("pdftotext") is None or shutil.which("pdftoppm") is None,
                       "no pdftotext: Debian's poppler-utils has it")
-class Print(clod.Case):
+class Print(BrowserCase):
 
     def printed(self, name):
         pdf = self.path("page.pdf")
-        done = subprocess.run(
-            [BROWSER, "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-             f"--user-data-dir={self.path('profile')}", "--virtual-time-budget=20000", "--no-pdf-header-footer",
-             f"--print-to-pdf={pdf}", f"file://{self.path(name)}"],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600)
-        self.assertTrue(os.path.exists(pdf), done.stderr[-2000:])
+        self.print(name, pdf)
         return Paper(pdf)
 
     def assert_inside(self, paper):
@@ -135,10 +131,9 @@ class Print(clod.Case):
         self.assertGreater(bottom - top, 200, figure["name"])
         if number not in self.drawn:
             self.drawn[number] = paper.pixels(number)
-        seen = {}
+        seen = collections.Counter()
         for row in self.drawn[number][top:bottom]:
-            for pixel in row[max(left, 0):right]:
-                seen[pixel] = seen.get(pixel, 0) + 1
+            seen.update(zip(*(colour[max(left, 0):right] for colour in row)))
         if "map" in figure:  # from the darkest to the lightest
             shades = [sum(count for pixel, count in seen.items() if max(abs(a - b) for a, b in zip(pixel, rgb(colour))) < 12)
                       for colour in figure["map"]["colours"]]

@@ -145,7 +145,7 @@ class Case(unittest.TestCase):
         with open(self.path(folder + "/summary.json")) as file:
             return json.load(file)
 
-    def stop_after(self, rows, folder, csv_name="series.csv", threads="2"):
+    def stop_after(self, rows, folder, csv_name="series.csv", threads="1"):
         """Stop a run of case.yaml with a checkpoint when a table has more than so many rows."""
         path = self.path(f"{folder}/{csv_name}")
         process = start("run", self.path("case.yaml"), "-o", self.path(folder), "-t", threads)
