@@ -14,19 +14,21 @@
 #include "base/memory.h"
 #include "clod/wall_locus.h"
 
-#define ANGLE_MOST 80.0 ///< deg, of phi_x: beyond it columns or units are wrong
+#define ANGLE_MOST 80.0  ///< deg, of phi_x: beyond it columns or units are wrong
+#define ANGLES_APART 1.0 ///< deg, of phi_x from tau_w/sigma_w: more than tables are rounded by
 #define DEGREES (180.0 / M_PI)
 
-/** A row: a table says what is steady, a point what is not; and it may have angles in place of shear stresses. */
+/** A row: a table says what is steady, a point what is not; and it may have angles in place of shear stresses, or
+ *  beside them. */
 typedef struct row {
     clod_wall_locus_point point;
     int64_t steady;
-    double phi_x, phi_x_error; ///< rad; 0: it has shear stresses
+    double phi_x, phi_x_error; ///< rad; NAN: it has no angle
 } row;
 
-static const row FIRST = {.steady = 1};
+static const row FIRST = {.steady = 1, .phi_x = (double)NAN};
 
-enum { SIGMA = 1, TAU, COLUMN_COUNT = 7 };
+enum { SIGMA = 1, TAU, ANGLE_COUNT = 7, COLUMN_COUNT };
 
 #define POINT(field) .offset = offsetof(row, point.field)
 
@@ -39,10 +41,11 @@ static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
     {.names = {"tau_w_error"}, .unit = "Pa", POINT(tau_error)},
     {.names = {"wall_stress"}, .unit = "Pa", POINT(wall_stress)},
     {.names = {"steady"}, .unit = "", .offset = offsetof(row, steady)},
+    {.names = {"phi_x"}, .unit = "rad", .offset = offsetof(row, phi_x)},
 };
 
 /** The same with the angle of each point, as many laboratories print it. */
-static const clod_csv_column ANGLES[COLUMN_COUNT] = {
+static const clod_csv_column ANGLES[ANGLE_COUNT] = {
     {.names = {"seed"}, .unit = "", POINT(seed)},
     [SIGMA] =
         {.names = {"sigma_w"}, .unit = "Pa", .positive = true, .required = true, POINT(sigma)},
@@ -59,8 +62,7 @@ static const clod_csv_column ANGLES[COLUMN_COUNT] = {
 };
 
 /** Columns that a wall friction test and clod locus --csv write and nobody reads here. */
-static const char *const SKIPPED[] = {"phi_x", "phi_x_error",  "line",
-                                      "rho_b", "displacement", NULL};
+static const char *const SKIPPED[] = {"phi_x_error", "line", "rho_b", "displacement", NULL};
 
 static bool check_row(const clod_csv *self, const void *of)
 {
@@ -74,6 +76,14 @@ static bool check_row(const clod_csv *self, const void *of)
             self->path, self->line, (long long)at->steady);
     }
     const double angle = DEGREES * atan2(p->tau, p->sigma);
+    const double told = DEGREES * at->phi_x;
+    if (self->kind->columns == COLUMNS && fabs(told - angle) > ANGLES_APART) {
+        return clod_status_fail(
+            self->status, CLOD_USAGE,
+            "%s:%zu: phi_x = %.1f deg, but tau_w = %.6g Pa at sigma_w = %.6g Pa is an angle of "
+            "%.1f deg. Correct the one that is wrong, or leave out its column.",
+            self->path, self->line, told, p->tau, p->sigma, angle);
+    }
     return angle <= ANGLE_MOST ||
            clod_status_fail(self->status, CLOD_USAGE,
                             "%s:%zu: tau_w = %.6g Pa at sigma_w = %.6g Pa is a wall friction "
@@ -95,12 +105,12 @@ static const clod_csv_kind POINTS = {
 
 static const clod_csv_kind POINTS_OF_ANGLES = {
     .columns = ANGLES,
-    .count = COLUMN_COUNT,
+    .count = ANGLE_COUNT,
     .row = sizeof(row),
     .known = "sigma_w, phi_x, seed, sigma_w_error, phi_x_error, wall_stress, steady",
     .example = "sigma_w [kPa],phi_x [deg]",
     .item = "wall yield locus point",
-    .skipped = SKIPPED + 2, // all but the angles
+    .skipped = SKIPPED + 1, // all but the error of the angle
     .check_row = check_row,
 };
 
@@ -113,13 +123,13 @@ static void take_angle(const row *from, clod_wall_locus_point *to)
 }
 
 /** Points of rows; owned, NULL without memory. */
-static clod_wall_locus_point *points_of(const row *rows, size_t count)
+static clod_wall_locus_point *points_of(const row *rows, size_t count, bool angles)
 {
     clod_wall_locus_point *points = clod_memory_alloc(count, sizeof *points);
     for (size_t i = 0; points != NULL && i < count; i++) {
         points[i] = rows[i].point;
         points[i].unsteady = rows[i].steady == 0;
-        if (rows[i].phi_x > 0.0) {
+        if (angles) {
             take_angle(&rows[i], &points[i]);
         }
     }
@@ -144,7 +154,7 @@ bool clod_wall_locus_parse(const char *path, const char *text, size_t length,
     if (!clod_csv_parse(&self, text, length)) {
         return false;
     }
-    *points = points_of(self.rows, self.count);
+    *points = points_of(self.rows, self.count, angles);
     *count = *points != NULL ? self.count : 0;
     clod_memory_free(self.rows);
     return *points != NULL ||

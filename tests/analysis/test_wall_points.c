@@ -62,12 +62,15 @@ static void angles_stand_for_shear_stresses(void **state)
     expect_error("sigma_w [kPa],phi_x [deg]\n4,85\n", "wall.csv:2: column phi_x");
     expect_error("sigma_w [kPa],phi_x\n4,25\n", "phi_x");
     expect_error("phi_x [deg],tau_x [kPa]\n25,1\n", "sigma_w");
-    // with shear stresses the angle beside them is what a run writes, and is not read
-    static const char BOTH[] = "sigma_w [kPa],tau_w [kPa],phi_x [deg]\n4,1,70\n";
+    // with shear stresses the angle beside them is checked, atan(1/4) = 14.04 deg, and may be left out of a row
+    static const char BOTH[] = "sigma_w [kPa],tau_w [kPa],phi_x [deg]\n4,1,14.9\n4,1,\n";
     assert_true(
         clod_wall_locus_parse("wall.csv", BOTH, strlen(BOTH), &points, &count, &status));
     check_close(points[0].tau, 1000.0, 1e-9);
     clod_locus_free(points);
+    expect_error("sigma_w [kPa],tau_w [kPa],phi_x [deg]\n4,1,14\n4,1,15.1\n",
+                 "wall.csv:3: phi_x = 15.1 deg, but tau_w = 1000 Pa at sigma_w = 4000 Pa is an "
+                 "angle of 14.0 deg");
 }
 
 /** As wall_friction.csv of a run has them; without the columns all is steady. */
