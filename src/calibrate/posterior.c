@@ -15,8 +15,9 @@
 #define WARM_UP 2000
 #define LOOKED 2000 ///< samples at which the targets are predicted
 #define EDGE 0.05
-#define DICE 1000     ///< stream of random numbers beside those of the chains
-#define DRAWN 1000000 ///< and the first one of what surrogates do not know
+#define DICE 1000          ///< stream of random numbers beside those of the chains
+#define DRAWN 1000000      ///< and the first one of what surrogates of used targets do not know
+#define DRAWN_BACK 2000000 ///< and of those held back
 
 #define MANY 256 ///< runs: with more there are fewer draws, for each is a matrix of them
 
@@ -36,14 +37,29 @@ double clod_posterior_variance(const clod_plan_target *target)
     return target->error * target->error + target->discrepancy * target->discrepancy;
 }
 
-/** What the surrogates say at a place, each by one of its draws; NAN where there is none. */
+/** What the surrogates of the used targets say at a place, each by one of its draws. */
 static void ask(const clod_posterior *self, const double *place, const size_t *chosen,
                 clod_surrogate_value *told, double *room)
 {
     for (size_t t = 0; t < self->target_count; t++) {
-        const clod_surrogate *of = self->targets[t].draws[chosen[t]];
-        told[t] = of != NULL ? clod_surrogate_at(of, place, room)
-                             : (clod_surrogate_value){(double)NAN, (double)NAN};
+        const clod_posterior_target *of = &self->targets[t];
+        if (!of->held_back) {
+            told[t] = clod_surrogate_at(of->draws[*chosen++], place, room);
+        }
+    }
+}
+
+/** And those of the targets that are held back, by the draw of this number; NAN where there is none. */
+static void ask_held_back(const clod_posterior *self, const double *place, size_t number,
+                          clod_surrogate_value *told, double *room)
+{
+    for (size_t t = 0; t < self->target_count; t++) {
+        const clod_posterior_target *of = &self->targets[t];
+        if (of->held_back) {
+            told[t] = of->surrogate != NULL
+                          ? clod_surrogate_at(of->draws[number % self->draws], place, room)
+                          : (clod_surrogate_value){(double)NAN, (double)NAN};
+        }
     }
 }
 
@@ -111,7 +127,14 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
     if (why.code == CLOD_INTERRUPTED) {
         return clod_stop_fail(status);
     }
-    const clod_surrogate_dice dice = {(uint64_t)plan->seed, DRAWN + 2 * number};
+    // those of a used target do not depend on those held back, so that one may be added to runs that are done
+    size_t among = 0;
+    for (size_t t = 0; t < number; t++) {
+        among += plan->targets[t].held_back == plan->targets[number].held_back ? 1 : 0;
+    }
+    const clod_surrogate_dice dice = {(uint64_t)plan->seed,
+                                      (plan->targets[number].held_back ? DRAWN_BACK : DRAWN) +
+                                          2 * among};
     return clod_surrogate_draw(to->surrogate, &dice, self->draws, runs->stop, to->draws,
                                status);
 }
@@ -229,8 +252,10 @@ static bool look_at_samples(const clod_plan *plan, clod_posterior *self, const s
             return false;
         }
         clod_surrogate_value *told = at->told + i * self->target_count;
-        const size_t *chosen = self->chosen + i * self->count / at->looked * self->target_count;
-        ask(self, clod_posterior_sample(self, i, at->looked), chosen, told, at->room);
+        const double *place = clod_posterior_sample(self, i, at->looked);
+        ask(self, place, self->chosen + i * self->count / at->looked * self->used, told,
+            at->room);
+        ask_held_back(self, place, i, told, at->room);
         for (size_t g = 0; g < groups; g++) {
             at->dice[g] = clod_random_uniform((uint64_t)plan->seed, CLOD_RANDOM_CALIBRATE,
                                               DICE + self->target_count + g, i);
@@ -279,7 +304,6 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
     }
     for (size_t t = 0; t < self->target_count; t++) {
         const bool used = !plan->targets[t].held_back;
-        self->used += used ? 1 : 0;
         self->predictive =
             self->predictive || (used && self->targets[t].checked &&
                                  self->targets[t].check.q2 >= CLOD_POSTERIOR_LEAST_Q2);
@@ -346,7 +370,7 @@ static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_s
                                     .chains = CHAINS,
                                     .warm_up = WARM_UP,
                                     .kept = self->count / CHAINS,
-                                    .choices = self->target_count,
+                                    .choices = self->used,
                                     .options = self->draws,
                                     .seed = (uint64_t)plan->seed,
                                     .density = log_density,
@@ -377,7 +401,11 @@ clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_stat
     self->parameters = clod_memory_alloc(d, sizeof *self->parameters);
     self->correlation = clod_memory_alloc(d * d, sizeof(double));
     self->samples = clod_memory_alloc(self->count * d, sizeof(double));
-    self->chosen = clod_memory_alloc(self->count * plan->target_count, sizeof *self->chosen);
+    for (size_t t = 0; t < plan->target_count && self->targets != NULL; t++) {
+        self->targets[t].held_back = plan->targets[t].held_back;
+        self->used += plan->targets[t].held_back ? 0 : 1;
+    }
+    self->chosen = clod_memory_alloc(self->count * self->used, sizeof *self->chosen);
     bool good = self->targets != NULL && self->chosen != NULL && self->parameters != NULL &&
                 self->correlation != NULL && self->samples != NULL;
     if (!good) {

@@ -31,6 +31,7 @@ typedef struct clod_posterior_target {
     size_t runs;                                 ///< that have the number
     clod_surrogate_check check;
     bool checked;
+    bool held_back;
     double mean; ///< of the model, over the posterior; this and the next: NAN without surrogate
     double low, high; ///< interval of what a laboratory would measure
     double off;       ///< (measured - mean) over its standard deviation
@@ -52,7 +53,8 @@ typedef struct clod_posterior {
     clod_posterior_parameter *parameters; ///< [dimensions] owned
     double *correlation;                  ///< [dimensions][dimensions] owned
     double *samples;                      ///< [count][dimensions] owned
-    size_t *chosen;                       ///< [count][targets] draws of their surrogates, owned
+    size_t *
+        chosen; ///< [count][used] draws of the surrogates of the used targets, in their order; owned
     size_t count;
     double accepted;
     double chi_square, p_value; ///< posterior predictive, of the targets that are used
