@@ -17,6 +17,8 @@ typedef struct chain {
     const clod_chain_setup *setup;
     uint64_t number, draw;
     double point[CLOD_CHAIN_MOST], density;
+    size_t *chosen; ///< [choices] the caller's
+    size_t turn;    ///< of the next choice to be drawn
     double mean[CLOD_CHAIN_MOST];
     double covariance[CLOD_CHAIN_MOST][CLOD_CHAIN_MOST];
     double factor[CLOD_CHAIN_MOST]
@@ -27,8 +29,8 @@ typedef struct chain {
 
 static double uniform(chain *self)
 {
-    return clod_random_uniform(self->setup->seed, CLOD_RANDOM_CALIBRATE, self->number,
-                               self->draw++);
+    return clod_random_uniform(self->setup->seed, CLOD_RANDOM_CALIBRATE,
+                               self->setup->stream + self->number, self->draw++);
 }
 
 /** The density at a place; none after a stop. */
@@ -36,14 +38,15 @@ static double density_at(chain *self, const double *place)
 {
     const clod_chain_setup *setup = self->setup;
     self->stopped = self->stopped || clod_stop_asked(setup->stop);
-    return self->stopped ? -HUGE_VAL : setup->density(setup->context, place);
+    return self->stopped ? -HUGE_VAL : setup->density(setup->context, place, self->chosen);
 }
 
 static double normal(chain *self)
 {
     const uint64_t draw = self->draw;
     self->draw += 2;
-    return clod_random_normal(self->setup->seed, CLOD_RANDOM_CALIBRATE, self->number, draw);
+    return clod_random_normal(self->setup->seed, CLOD_RANDOM_CALIBRATE,
+                              self->setup->stream + self->number, draw);
 }
 
 /** Lower Cholesky factor of the covariance. */
@@ -59,6 +62,13 @@ static void factor(chain *self)
             self->factor[i][j] = i == j ? sqrt(fmax(sum, JITTER)) : sum / self->factor[j][j];
         }
     }
+}
+
+/** One of the options, all as likely. */
+static size_t draw_choice(chain *self)
+{
+    const size_t at = (size_t)(uniform(self) * (double)self->setup->options);
+    return at < self->setup->options ? at : self->setup->options - 1;
 }
 
 /** A start drawn from random places, each with its density as its weight: a chain that began anywhere could
@@ -91,7 +101,15 @@ static void draw_start(chain *self)
 static void start(chain *self)
 {
     const size_t d = self->setup->dimensions;
-    draw_start(self);
+    for (size_t k = 0; k < self->setup->choices; k++) {
+        self->chosen[k] = draw_choice(self);
+    }
+    if (self->setup->start != NULL) {
+        memcpy(self->point, self->setup->start, d * sizeof *self->point);
+        self->density = density_at(self, self->point);
+    } else {
+        draw_start(self);
+    }
     for (size_t k = 0; k < d; k++) {
         self->mean[k] = self->point[k];
         self->covariance[k][k] = START_SCALE * START_SCALE;
@@ -127,6 +145,23 @@ static bool advance(chain *self, double *chance)
     return true;
 }
 
+/** Draw the choice anew whose turn it is. */
+static void choose(chain *self)
+{
+    if (self->setup->choices == 0) {
+        return;
+    }
+    size_t *at = &self->chosen[self->turn++ % self->setup->choices];
+    const size_t before = *at;
+    *at = draw_choice(self);
+    const double density = *at != before ? density_at(self, self->point) : self->density;
+    if (log(uniform(self)) < density - self->density) {
+        self->density = density;
+    } else {
+        *at = before;
+    }
+}
+
 /** Take mean, covariance and scale nearer to what the chain shows. */
 static void adapt(chain *self, size_t step, double chance)
 {
@@ -146,23 +181,44 @@ static void adapt(chain *self, size_t step, double chance)
     factor(self);
 }
 
-bool clod_chain_run(const clod_chain_setup *setup, double *samples, double *accepted)
+/** Warm a chain up and keep its samples. @return steps of the point that were accepted */
+static size_t run(chain *self, double *samples)
 {
+    const clod_chain_setup *setup = self->setup;
     const size_t d = setup->dimensions;
-    CLOD_ASSERT(d >= 1 && d <= CLOD_CHAIN_MOST);
+    size_t moved = 0;
+    double chance;
+    start(self);
+    for (size_t k = 0; k < setup->warm_up && !self->stopped; k++) {
+        advance(self, &chance);
+        choose(self);
+        adapt(self, k, chance);
+    }
+    for (size_t k = 0; k < setup->kept && !self->stopped; k++) {
+        if (k > 0 && setup->choices > 0) {
+            memcpy(self->chosen + setup->choices, self->chosen,
+                   setup->choices * sizeof *self->chosen);
+            self->chosen += setup->choices;
+        }
+        moved += advance(self, &chance) ? 1 : 0;
+        choose(self);
+        memcpy(samples + k * d, self->point, d * sizeof(double));
+    }
+    return moved;
+}
+
+bool clod_chain_run(const clod_chain_setup *setup, double *samples, size_t *chosen,
+                    double *accepted)
+{
+    CLOD_ASSERT(setup->dimensions >= 1 && setup->dimensions <= CLOD_CHAIN_MOST);
+    CLOD_ASSERT(setup->choices == 0 || (chosen != NULL && setup->options > 0));
     size_t moved = 0;
     for (size_t c = 0; c < setup->chains; c++) {
         chain self = {.setup = setup, .number = c};
-        start(&self);
-        double chance;
-        for (size_t k = 0; k < setup->warm_up && !self.stopped; k++) {
-            advance(&self, &chance);
-            adapt(&self, k, chance);
+        if (setup->choices > 0) {
+            self.chosen = chosen + c * setup->kept * setup->choices;
         }
-        for (size_t k = 0; k < setup->kept && !self.stopped; k++) {
-            moved += advance(&self, &chance) ? 1 : 0;
-            memcpy(samples + (c * setup->kept + k) * d, self.point, d * sizeof(double));
-        }
+        moved += run(&self, samples + c * setup->kept * setup->dimensions);
         if (self.stopped) {
             return false;
         }

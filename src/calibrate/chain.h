@@ -11,17 +11,21 @@
 
 #include "calibrate/stop.h"
 
-#define CLOD_CHAIN_MOST 16 ///< dimensions
+#define CLOD_CHAIN_MOST 32 ///< dimensions
 
-/** Logarithm of the density at a point inside the cube, up to a constant; -INFINITY: none. */
-typedef double (*clod_chain_density)(void *context, const double *point);
+/** Logarithm of the density at a point inside the cube and at whole numbers beside it, up to a constant;
+ *  -INFINITY: none. */
+typedef double (*clod_chain_density)(void *context, const double *point, const size_t *choices);
 
 typedef struct clod_chain_setup {
     size_t dimensions;
     size_t chains;
     size_t warm_up; ///< steps in which the proposals adapt; not kept
     size_t kept;    ///< samples of each chain
-    uint64_t seed;
+    size_t choices; ///< whole numbers that are sampled beside the point; mostly 0
+    size_t options; ///< each of them is below this, and all are as likely before the density
+    const double *start; ///< where chains begin; NULL: at random places
+    uint64_t seed, stream;
     clod_chain_density density;
     void *context;
     const clod_stop *stop; ///< asked before every density; NULL: never
@@ -30,9 +34,11 @@ typedef struct clod_chain_setup {
 /**
  * Sample. Proposals are normal with the chain's own covariance, times a scale that brings the accepted
  * share near 0.3; both are found in the warm-up and fixed afterwards. Each chain starts at
- * one of many random places, drawn by their densities.
+ * one of many random places, drawn by their densities, unless `start` is given. After each step of the point one of
+ * the whole numbers is drawn anew and accepted by the ratio of the densities, each in its turn.
  *
  * @param samples   [out] [chains][kept][dimensions]
+ * @param chosen    [out] [chains][kept][choices]; NULL without choices
  * @param accepted  [out] share of accepted steps after the warm-up, of all chains
  * @return  false when `stop` was asked for; the samples are then of no use
  * Errors  none.   Threads  safe.
@@ -40,7 +46,8 @@ typedef struct clod_chain_setup {
  *         343, algorithm 4.
  * Test    tests/calibrate/test_chain.c
  */
-bool clod_chain_run(const clod_chain_setup *setup, double *samples, double *accepted);
+bool clod_chain_run(const clod_chain_setup *setup, double *samples, size_t *chosen,
+                    double *accepted);
 
 /** Samples of one coordinate: chain k has [kept] of them at `values + k * kept * stride`, `stride` apart.
  */

@@ -15,7 +15,11 @@
 #define WARM_UP 2000
 #define LOOKED 2000 ///< samples at which the targets are predicted
 #define EDGE 0.05
-#define DICE 1000 ///< stream of random numbers beside those of the chains
+#define DICE 1000          ///< stream of random numbers beside those of the chains
+#define DRAWN 1000000      ///< and the first one of what surrogates of used targets do not know
+#define DRAWN_BACK 2000000 ///< and of those held back
+
+#define MANY 256 ///< runs: with more there are fewer draws, for each is a matrix of them
 
 _Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_CHAIN_MOST, "chains take all parameters of a plan");
 _Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_SURROGATE_MOST,
@@ -33,21 +37,36 @@ double clod_posterior_variance(const clod_plan_target *target)
     return target->error * target->error + target->discrepancy * target->discrepancy;
 }
 
-/** What the surrogates say at a place; NAN where there is none. */
-static void ask(const clod_posterior *self, const double *place, clod_surrogate_value *told,
-                double *room)
+/** What the surrogates of the used targets say at a place, each by one of its draws. */
+static void ask(const clod_posterior *self, const double *place, const size_t *chosen,
+                clod_surrogate_value *told, double *room)
 {
     for (size_t t = 0; t < self->target_count; t++) {
-        const clod_surrogate *of = self->targets[t].surrogate;
-        told[t] = of != NULL ? clod_surrogate_at(of, place, room)
-                             : (clod_surrogate_value){(double)NAN, (double)NAN};
+        const clod_posterior_target *of = &self->targets[t];
+        if (!of->held_back) {
+            told[t] = clod_surrogate_at(of->draws[*chosen++], place, room);
+        }
     }
 }
 
-static double log_density(void *context, const double *place)
+/** And those of the targets that are held back, by the draw of this number; NAN where there is none. */
+static void ask_held_back(const clod_posterior *self, const double *place, size_t number,
+                          clod_surrogate_value *told, double *room)
+{
+    for (size_t t = 0; t < self->target_count; t++) {
+        const clod_posterior_target *of = &self->targets[t];
+        if (of->held_back) {
+            told[t] = of->surrogate != NULL
+                          ? clod_surrogate_at(of->draws[number % self->draws], place, room)
+                          : (clod_surrogate_value){(double)NAN, (double)NAN};
+        }
+    }
+}
+
+static double log_density(void *context, const double *place, const size_t *chosen)
 {
     const density *self = context;
-    ask(self->of, place, self->told, self->room);
+    ask(self->of, place, chosen, self->told, self->room);
     return clod_misfit_density(self->of->misfit, self->told, self->misfit_room);
 }
 
@@ -69,12 +88,21 @@ static size_t take(const clod_posterior_runs *runs, size_t target, double *input
     return count;
 }
 
+/** Draws of what a surrogate of so many runs does not know: they take the room of those of MANY runs, or 4 draws. */
+static size_t draws_for(size_t runs)
+{
+    const double most = (double)CLOD_POSTERIOR_DRAWS;
+    const double share = (double)MANY / (double)(runs > 0 ? runs : 1);
+    return (size_t)fmax(4.0, fmin(most, most * share * share));
+}
+
 static bool fit_target(const clod_posterior_runs *runs, size_t number, double *room,
-                       clod_posterior_target *to, clod_status *status)
+                       clod_posterior *self, clod_status *status)
 {
     const clod_plan *plan = runs->plan;
     const size_t d = plan->parameter_count;
     const size_t all = runs->points * (size_t)plan->seeds;
+    clod_posterior_target *to = &self->targets[number];
     const size_t count = take(runs, number, room, room + all * d);
     const clod_surrogate_runs taken = {d, count, room, room + all * d, runs->stop};
     const clod_surrogate_kind kind = clod_surrogate_choose(d, clod_surrogate_points(&taken));
@@ -96,7 +124,19 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
             plan->targets[number].name, count, all, why.text);
     }
     to->checked = clod_surrogate_leave_one_out(to->surrogate, runs->stop, &to->check, &why);
-    return why.code != CLOD_INTERRUPTED || clod_stop_fail(status);
+    if (why.code == CLOD_INTERRUPTED) {
+        return clod_stop_fail(status);
+    }
+    // those of a used target do not depend on those held back, so that one may be added to runs that are done
+    size_t among = 0;
+    for (size_t t = 0; t < number; t++) {
+        among += plan->targets[t].held_back == plan->targets[number].held_back ? 1 : 0;
+    }
+    const clod_surrogate_dice dice = {(uint64_t)plan->seed,
+                                      (plan->targets[number].held_back ? DRAWN_BACK : DRAWN) +
+                                          2 * among};
+    return clod_surrogate_draw(to->surrogate, &dice, self->draws, runs->stop, to->draws,
+                               status);
 }
 
 static bool fit(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
@@ -107,8 +147,9 @@ static bool fit(const clod_posterior_runs *runs, clod_posterior *self, clod_stat
         return clod_status_fail(status, CLOD_FAILED, "No memory for the runs.");
     }
     bool good = true;
+    self->draws = draws_for(all);
     for (size_t t = 0; t < self->target_count && good; t++) {
-        good = fit_target(runs, t, room, &self->targets[t], status);
+        good = fit_target(runs, t, room, self, status);
     }
     clod_memory_free(room);
     return good;
@@ -170,6 +211,21 @@ double clod_posterior_noise(const clod_posterior *self, size_t target)
     return of != NULL ? clod_surrogate_noise(of, means) : (double)NAN;
 }
 
+clod_surrogate_value clod_posterior_told(const clod_posterior *self, size_t target,
+                                         const double *place, double *room)
+{
+    double mean = 0.0, square = 0.0, inner = 0.0;
+    const double draws = (double)self->draws;
+    for (size_t i = 0; i < self->draws; i++) {
+        const clod_surrogate_value one =
+            clod_surrogate_at(self->targets[target].draws[i], place, room);
+        mean += one.mean / draws;
+        square += one.mean * one.mean / draws;
+        inner += one.variance / draws;
+    }
+    return (clod_surrogate_value){mean, inner + fmax(0.0, square - mean * mean)};
+}
+
 const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t of)
 {
     return self->samples + i * self->count / of * self->dimensions;
@@ -196,7 +252,10 @@ static bool look_at_samples(const clod_plan *plan, clod_posterior *self, const s
             return false;
         }
         clod_surrogate_value *told = at->told + i * self->target_count;
-        ask(self, clod_posterior_sample(self, i, at->looked), told, at->room);
+        const double *place = clod_posterior_sample(self, i, at->looked);
+        ask(self, place, self->chosen + i * self->count / at->looked * self->used, told,
+            at->room);
+        ask_held_back(self, place, i, told, at->room);
         for (size_t g = 0; g < groups; g++) {
             at->dice[g] = clod_random_uniform((uint64_t)plan->seed, CLOD_RANDOM_CALIBRATE,
                                               DICE + self->target_count + g, i);
@@ -245,7 +304,6 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
     }
     for (size_t t = 0; t < self->target_count; t++) {
         const bool used = !plan->targets[t].held_back;
-        self->used += used ? 1 : 0;
         self->predictive =
             self->predictive || (used && self->targets[t].checked &&
                                  self->targets[t].check.q2 >= CLOD_POSTERIOR_LEAST_Q2);
@@ -312,11 +370,14 @@ static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_s
                                     .chains = CHAINS,
                                     .warm_up = WARM_UP,
                                     .kept = self->count / CHAINS,
+                                    .choices = self->used,
+                                    .options = self->draws,
                                     .seed = (uint64_t)plan->seed,
                                     .density = log_density,
                                     .context = &of,
                                     .stop = runs->stop};
-    const bool done = good && clod_chain_run(&setup, self->samples, &self->accepted);
+    const bool done =
+        good && clod_chain_run(&setup, self->samples, self->chosen, &self->accepted);
     clod_memory_free(of.told);
     clod_memory_free(of.room);
     clod_memory_free(of.misfit_room);
@@ -340,7 +401,12 @@ clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_stat
     self->parameters = clod_memory_alloc(d, sizeof *self->parameters);
     self->correlation = clod_memory_alloc(d * d, sizeof(double));
     self->samples = clod_memory_alloc(self->count * d, sizeof(double));
-    bool good = self->targets != NULL && self->parameters != NULL &&
+    for (size_t t = 0; t < plan->target_count && self->targets != NULL; t++) {
+        self->targets[t].held_back = plan->targets[t].held_back;
+        self->used += plan->targets[t].held_back ? 0 : 1;
+    }
+    self->chosen = clod_memory_alloc(self->count * self->used, sizeof *self->chosen);
+    bool good = self->targets != NULL && self->chosen != NULL && self->parameters != NULL &&
                 self->correlation != NULL && self->samples != NULL;
     if (!good) {
         self->target_count = self->targets == NULL ? 0 : self->target_count;
@@ -361,12 +427,16 @@ void clod_posterior_destroy(clod_posterior **self)
     }
     for (size_t t = 0; t < (*self)->target_count; t++) {
         clod_surrogate_destroy(&(*self)->targets[t].surrogate);
+        for (size_t i = 0; i < CLOD_POSTERIOR_DRAWS; i++) {
+            clod_surrogate_destroy(&(*self)->targets[t].draws[i]);
+        }
     }
     clod_misfit_destroy(&(*self)->misfit);
     clod_memory_free((*self)->targets);
     clod_memory_free((*self)->parameters);
     clod_memory_free((*self)->correlation);
     clod_memory_free((*self)->samples);
+    clod_memory_free((*self)->chosen);
     clod_memory_free(*self);
     *self = NULL;
 }

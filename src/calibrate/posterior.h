@@ -11,6 +11,7 @@
 #include "calibrate/surrogate.h"
 
 #define CLOD_POSTERIOR_WHY 200      ///< bytes of a reason
+#define CLOD_POSTERIOR_DRAWS 64     ///< of the hyperparameters of a surrogate, at most
 #define CLOD_POSTERIOR_LEAST_Q2 0.5 ///< of a surrogate that predicts points that are left out
 
 /** Runs so far: [points][seeds] of them, in this order. */
@@ -23,11 +24,14 @@ typedef struct clod_posterior_runs {
 } clod_posterior_runs;
 
 typedef struct clod_posterior_target {
-    clod_surrogate *surrogate;    ///< owned; NULL: held back, and the runs do not give one
-    char why[CLOD_POSTERIOR_WHY]; ///< they do not
-    size_t runs;                  ///< that have the number
+    clod_surrogate
+        *surrogate; ///< likeliest; owned; NULL: held back, and the runs do not give one
+    clod_surrogate *draws[CLOD_POSTERIOR_DRAWS]; ///< owned; NULL without surrogate
+    char why[CLOD_POSTERIOR_WHY];                ///< they do not
+    size_t runs;                                 ///< that have the number
     clod_surrogate_check check;
     bool checked;
+    bool held_back;
     double mean; ///< of the model, over the posterior; this and the next: NAN without surrogate
     double low, high; ///< interval of what a laboratory would measure
     double off;       ///< (measured - mean) over its standard deviation
@@ -44,10 +48,13 @@ typedef struct clod_posterior_parameter {
 
 typedef struct clod_posterior {
     size_t dimensions, target_count;
+    size_t draws;                         ///< of each surrogate
     clod_posterior_target *targets;       ///< [target_count] owned
     clod_posterior_parameter *parameters; ///< [dimensions] owned
     double *correlation;                  ///< [dimensions][dimensions] owned
     double *samples;                      ///< [count][dimensions] owned
+    size_t *
+        chosen; ///< [count][used] draws of the surrogates of the used targets, in their order; owned
     size_t count;
     double accepted;
     double chi_square, p_value; ///< posterior predictive, of the targets that are used
@@ -75,6 +82,11 @@ double clod_posterior_noise(const clod_posterior *self, size_t target);
 
 /** Sample number i of so many that are spread evenly over all samples of all chains: its place. */
 const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t of);
+
+/** What the surrogate of a target says at a place, over all draws of what it does not know.
+ *  @param room  clod_posterior_room */
+clod_surrogate_value clod_posterior_told(const clod_posterior *self, size_t target,
+                                         const double *place, double *room);
 
 /**
  * Where further runs tell most: of the samples the one with the largest sum over used targets of the

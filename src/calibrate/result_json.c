@@ -39,8 +39,7 @@ static json_t *parameter(const clod_result *self, size_t k)
 }
 
 /** The surrogate along one parameter, the others at the posterior's means. */
-static json_t *section(const clod_result *self, const clod_posterior_target *one, size_t k,
-                       double factor, double *room)
+static json_t *section(const clod_result *self, size_t t, size_t k, double factor, double *room)
 {
     const clod_posterior *from = self->study->posterior;
     double place[CLOD_PLAN_PARAMETERS];
@@ -52,7 +51,7 @@ static json_t *section(const clod_result *self, const clod_posterior_target *one
     }
     for (int i = 0; i <= SECTION; i++) {
         place[k] = (double)i / SECTION;
-        const clod_surrogate_value told = clod_surrogate_at(one->surrogate, place, room);
+        const clod_surrogate_value told = clod_posterior_told(from, t, place, room);
         json_array_append_new(
             at, clod_json_number(clod_plan_number(&self->plan->parameters[k], place[k])));
         json_array_append_new(mean, clod_json_number(factor * told.mean));
@@ -61,14 +60,13 @@ static json_t *section(const clod_result *self, const clod_posterior_target *one
     return json_pack("{s:o, s:o, s:o}", "at", at, "mean", mean, "deviation", deviation);
 }
 
-static json_t *sections(const clod_result *self, const clod_posterior_target *one,
-                        double factor)
+static json_t *sections(const clod_result *self, size_t t, double factor)
 {
     json_t *all = json_object();
-    double *room = clod_memory_alloc(clod_surrogate_room(one->surrogate), sizeof *room);
+    double *room = clod_posterior_room(self->study->posterior, 0);
     for (size_t k = 0; room != NULL && k < self->plan->parameter_count; k++) {
         json_object_set_new(all, self->plan->parameters[k].name,
-                            section(self, one, k, factor, room));
+                            section(self, t, k, factor, room));
     }
     clod_memory_free(room);
     return all;
@@ -100,7 +98,7 @@ static json_t *surrogate(const clod_result *self, size_t t)
         json_object_set_new(made, "within_two_deviations",
                             clod_json_number(one->check.covered));
     }
-    json_object_set_new(made, "sections", sections(self, one, factor));
+    json_object_set_new(made, "sections", sections(self, t, factor));
     return made;
 }
 

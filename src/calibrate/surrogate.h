@@ -9,11 +9,12 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "calibrate/stop.h"
 #include "clod/status.h"
 
-#define CLOD_SURROGATE_MOST 16 ///< parameters
+#define CLOD_SURROGATE_MOST 15 ///< parameters
 
 typedef enum clod_surrogate_kind {
     CLOD_SURROGATE_LINEAR,    ///< least squares on 1, u
@@ -91,6 +92,24 @@ clod_surrogate *clod_surrogate_create_at(const clod_surrogate_runs *runs,
                                          clod_surrogate_kind kind,
                                          const clod_surrogate_hyper *hyper,
                                          clod_status *status);
+
+/** Random numbers: this stream and the next. */
+typedef struct clod_surrogate_dice {
+    uint64_t seed, stream;
+} clod_surrogate_dice;
+
+/**
+ * Surrogates of the same runs whose hyperparameters and variance are drawn from their posterior: lengths and nugget
+ * flat in their logarithms within the ranges of the search, slopes by their prior, the variance flat in its logarithm.
+ *
+ * @param draws  [out] [count] owned by the caller, each; NULL behind the first error
+ * Errors  CLOD_FAILED: memory; CLOD_INTERRUPTED.   Threads  safe.
+ * Source  Handcock and Stein, Technometrics 35 (1993) 403; Gelman et al., Bayesian Data Analysis (2013), 3.2.
+ * Test    tests/calibrate/test_surrogate_draws.c
+ */
+bool clod_surrogate_draw(const clod_surrogate *self, const clod_surrogate_dice *dice,
+                         size_t count, const clod_stop *stop, clod_surrogate **draws,
+                         clod_status *status);
 
 /** One more run in thought, with the mean as its result: what it would tell, at the hyperparameters and
  *  the variance as they are. @return owned, or NULL */

@@ -18,7 +18,6 @@
 #define MOST_NUGGET 1e4
 #define MOST_GROWTHS 4.0 ///< of slopes, in deviations of their prior
 #define STARTS 3
-#define NUMBERS (2 * CLOD_SURROGATE_MOST + 1)
 #define EVALUATIONS 150 ///< for each hyperparameter and start
 #define TOLERANCE 1e-4  ///< of the log likelihood
 
@@ -27,42 +26,74 @@ typedef struct search {
     clod_surrogate *surrogate;
     const clod_stop *stop;
     nlopt_opt by;
-    size_t lengths, nuggets, slopes; ///< how many of each: these are the numbers, in this order
+    clod_surrogate_bounds bounds;
 } search;
 
-/** Logs of lengths and nugget, and slopes, into the surrogate. */
-static void put(const search *self, const double *numbers)
+/** How many numbers of each kind are fitted. */
+typedef struct counts {
+    size_t lengths, nuggets, slopes;
+} counts;
+
+static counts counts_of(const clod_surrogate *self)
 {
-    clod_surrogate_hyper *to = &self->surrogate->hyper;
-    for (size_t k = 0; k < self->lengths; k++) {
-        to->lengths[k] = exp(*numbers++);
+    const bool gaussian = self->kind == CLOD_SURROGATE_GAUSSIAN;
+    const bool told = self->count - self->terms > 1 + self->dimensions;
+    return (counts){gaussian ? self->dimensions : 0, gaussian ? 1 : 0,
+                    told ? self->dimensions : 0};
+}
+
+void clod_surrogate_put(clod_surrogate *self, const double *numbers)
+{
+    const counts of = counts_of(self);
+    for (size_t k = 0; k < of.lengths; k++) {
+        self->hyper.lengths[k] = exp(*numbers++);
     }
-    for (size_t k = 0; k < self->nuggets; k++) {
-        to->nugget = exp(*numbers++);
+    for (size_t k = 0; k < of.nuggets; k++) {
+        self->hyper.nugget = exp(*numbers++);
     }
-    for (size_t k = 0; k < self->slopes; k++) {
-        to->slopes[k] = *numbers++;
+    for (size_t k = 0; k < of.slopes; k++) {
+        self->hyper.slopes[k] = *numbers++;
     }
 }
 
-/** A number for each length, the nugget and each slope. */
-static void fill(const search *self, double length, double nugget, double slope,
-                 double *numbers)
+void clod_surrogate_get(const clod_surrogate *self, double *numbers)
 {
-    for (size_t k = 0; k < self->lengths; k++) {
-        *numbers++ = length;
+    const counts of = counts_of(self);
+    for (size_t k = 0; k < of.lengths; k++) {
+        *numbers++ = log(self->hyper.lengths[k]);
     }
-    for (size_t k = 0; k < self->nuggets; k++) {
-        *numbers++ = nugget;
+    for (size_t k = 0; k < of.nuggets; k++) {
+        *numbers++ = log(self->hyper.nugget);
     }
-    for (size_t k = 0; k < self->slopes; k++) {
-        *numbers++ = slope;
+    for (size_t k = 0; k < of.slopes; k++) {
+        *numbers++ = self->hyper.slopes[k];
     }
 }
 
-static unsigned count_of(const search *self)
+/** A number for each length, the nugget and each slope. @return how many */
+static size_t fill(const clod_surrogate *self, double length, double nugget, double slope,
+                   double *numbers)
 {
-    return (unsigned)(self->lengths + self->nuggets + self->slopes);
+    const counts of = counts_of(self);
+    size_t at = 0;
+    for (size_t k = 0; k < of.lengths; k++) {
+        numbers[at++] = length;
+    }
+    for (size_t k = 0; k < of.nuggets; k++) {
+        numbers[at++] = nugget;
+    }
+    for (size_t k = 0; k < of.slopes; k++) {
+        numbers[at++] = slope;
+    }
+    return at;
+}
+
+void clod_surrogate_bounds_of(const clod_surrogate *self, clod_surrogate_bounds *bounds)
+{
+    const double steepest =
+        MOST_GROWTHS * CLOD_SURROGATE_GROWTH / sqrt((double)self->dimensions);
+    fill(self, log(LEAST_LENGTH), log(LEAST_NUGGET), -steepest, bounds->low);
+    bounds->count = fill(self, log(MOST_LENGTH), log(MOST_NUGGET), steepest, bounds->high);
 }
 
 static double objective(unsigned count, const double *numbers, double *gradient, void *context)
@@ -75,24 +106,18 @@ static double objective(unsigned count, const double *numbers, double *gradient,
         nlopt_force_stop(self->by);
         return 1e300;
     }
-    put(self, numbers);
+    clod_surrogate_put(at, numbers);
     return clod_surrogate_factor(at) ? -at->likelihood : 1e300;
 }
 
 static bool make_search(search *self)
 {
-    const unsigned count = count_of(self);
-    const double steepest =
-        MOST_GROWTHS * CLOD_SURROGATE_GROWTH / sqrt((double)self->surrogate->dimensions);
+    const unsigned count = (unsigned)self->bounds.count;
     self->by = nlopt_create(NLOPT_LN_SBPLX, count);
-    double low[NUMBERS];
-    double high[NUMBERS];
-    fill(self, log(LEAST_LENGTH), log(LEAST_NUGGET), -steepest, low);
-    fill(self, log(MOST_LENGTH), log(MOST_NUGGET), steepest, high);
     if (self->by != NULL) {
         nlopt_set_min_objective(self->by, objective, self);
-        nlopt_set_lower_bounds(self->by, low);
-        nlopt_set_upper_bounds(self->by, high);
+        nlopt_set_lower_bounds(self->by, self->bounds.low);
+        nlopt_set_upper_bounds(self->by, self->bounds.high);
         nlopt_set_ftol_abs(self->by, TOLERANCE);
         nlopt_set_maxeval(self->by, (int)count * EVALUATIONS);
         nlopt_set_initial_step1(self->by, 0.5);
@@ -104,12 +129,12 @@ static bool make_search(search *self)
 static bool find(const search *self, double *best)
 {
     static const double START[STARTS][2] = {{0.5, 0.1}, {2.0, 1.0}, {0.25, 0.01}};
-    const int starts = self->lengths > 0 ? STARTS : 1;
+    const int starts = self->surrogate->kind == CLOD_SURROGATE_GAUSSIAN ? STARTS : 1;
     double least = 1e300;
     for (int s = 0; s < starts; s++) {
-        double numbers[NUMBERS];
+        double numbers[CLOD_SURROGATE_NUMBERS];
         double found = 1e300;
-        fill(self, log(START[s][0]), log(START[s][1]), 0.0, numbers);
+        fill(self->surrogate, log(START[s][0]), log(START[s][1]), 0.0, numbers);
         const nlopt_result ended = nlopt_optimize(self->by, numbers, &found);
         if ((ended > 0 || ended == NLOPT_ROUNDOFF_LIMITED) && found < least) {
             least = found;
@@ -121,22 +146,17 @@ static bool find(const search *self, double *best)
 
 bool clod_surrogate_fit(clod_surrogate *self, const clod_stop *stop)
 {
-    const bool gaussian = self->kind == CLOD_SURROGATE_GAUSSIAN;
-    const bool told = self->count - self->terms > 1 + self->dimensions;
-    search of = {.surrogate = self,
-                 .stop = stop,
-                 .lengths = gaussian ? self->dimensions : 0,
-                 .nuggets = gaussian ? 1 : 0,
-                 .slopes = told ? self->dimensions : 0};
-    if (count_of(&of) == 0) {
+    search of = {.surrogate = self, .stop = stop};
+    clod_surrogate_bounds_of(self, &of.bounds);
+    if (of.bounds.count == 0) {
         return clod_surrogate_factor(self);
     }
-    double best[NUMBERS];
+    double best[CLOD_SURROGATE_NUMBERS];
     const bool found = make_search(&of) && find(&of, best);
     nlopt_destroy(of.by);
     if (!found) {
         return false;
     }
-    put(&of, best);
+    clod_surrogate_put(self, best);
     return clod_surrogate_factor(self);
 }

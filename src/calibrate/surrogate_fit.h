@@ -30,6 +30,24 @@ struct clod_surrogate {
     gsl_vector *residual; ///< L^-1 (results - H beta)
 };
 
+#define CLOD_SURROGATE_NUMBERS (2 * CLOD_SURROGATE_MOST + 1)
+
+/** Ranges of what is fitted: logarithms of lengths and nugget, and slopes, in this order. */
+typedef struct clod_surrogate_bounds {
+    size_t count;
+    double low[CLOD_SURROGATE_NUMBERS], high[CLOD_SURROGATE_NUMBERS];
+} clod_surrogate_bounds;
+
+/** None of a polynomial whose runs do not tell the slopes. */
+void clod_surrogate_bounds_of(const clod_surrogate *self, clod_surrogate_bounds *bounds);
+
+/** These numbers into the hyperparameters, and out of them. */
+void clod_surrogate_put(clod_surrogate *self, const double *numbers);
+void clod_surrogate_get(const clod_surrogate *self, double *numbers);
+
+/** The same runs with the same hyperparameters. @return owned, or NULL */
+clod_surrogate *clod_surrogate_copy(const clod_surrogate *self, clod_status *status);
+
 /** Factor all at the present lengths, nugget and slopes; false when a matrix is singular. */
 bool clod_surrogate_factor(clod_surrogate *self);
 

@@ -28,6 +28,12 @@ static clod_surrogate *with(const clod_surrogate *self, const clod_surrogate_run
     return other;
 }
 
+clod_surrogate *clod_surrogate_copy(const clod_surrogate *self, clod_status *status)
+{
+    const clod_surrogate_runs runs = runs_of(self);
+    return with(self, &runs, status);
+}
+
 clod_surrogate *clod_surrogate_believe(const clod_surrogate *self, const double *inputs,
                                        clod_status *status)
 {

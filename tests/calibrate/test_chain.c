@@ -14,9 +14,10 @@ static const double MEAN[] = {0.4, 0.6};
 static const double SD[] = {0.03, 0.08};
 #define CORRELATION 0.8
 
-static double gaussian(void *context, const double *u)
+static double gaussian(void *context, const double *u, const size_t *choices)
 {
     (void)context;
+    (void)choices;
     const double x = (u[0] - MEAN[0]) / SD[0];
     const double y = (u[1] - MEAN[1]) / SD[1];
     const double c = CORRELATION;
@@ -60,7 +61,7 @@ static void a_gaussian_has_its_moments(void **state)
                                     .seed = 3,
                                     .density = gaussian};
     double accepted;
-    clod_chain_run(&setup, samples[0], &accepted);
+    clod_chain_run(&setup, samples[0], NULL, &accepted);
     assert_true(accepted > 0.2 && accepted < 0.4);
     for (int k = 0; k < 2; k++) {
         const clod_chain_series series = series_of(k);
@@ -74,9 +75,10 @@ static void a_gaussian_has_its_moments(void **state)
                 0.05);
 }
 
-static double flat(void *context, const double *u)
+static double flat(void *context, const double *u, const size_t *choices)
 {
     (void)context;
+    (void)choices;
     return u[0] > 0.25 ? 0.0 : -HUGE_VAL;
 }
 
@@ -91,7 +93,7 @@ static void edges_are_kept(void **state)
                                     .seed = 4,
                                     .density = flat};
     double accepted;
-    clod_chain_run(&setup, samples[0], &accepted);
+    clod_chain_run(&setup, samples[0], NULL, &accepted);
     for (int i = 0; i < CHAINS * KEPT; i++) {
         assert_true(samples[i][0] > 0.25 && samples[i][0] < 1.0);
         assert_true(samples[i][1] > 0.0 && samples[i][1] < 1.0);
@@ -104,9 +106,10 @@ static void edges_are_kept(void **state)
 
 /** Two summits, 0.7 apart and 0.01 wide, the second with exp(-12) of the first's weight: in 24 000 samples
  *  0.15 are expected there. A chain that begins near it would stay. */
-static double two_summits(void *context, const double *u)
+static double two_summits(void *context, const double *u, const size_t *choices)
 {
     (void)context;
+    (void)choices;
     const double a = (u[0] - 0.85) / 0.01;
     const double b = (u[0] - 0.15) / 0.01;
     return fmax(-0.5 * a * a, -12.0 - 0.5 * b * b);
@@ -122,7 +125,7 @@ static void no_chain_stays_at_a_lesser_summit(void **state)
                               .density = two_summits};
     for (setup.seed = 1; setup.seed <= 5; setup.seed++) {
         double accepted;
-        clod_chain_run(&setup, samples[0], &accepted);
+        clod_chain_run(&setup, samples[0], NULL, &accepted);
         int low = 0;
         for (int i = 0; i < CHAINS * KEPT; i++) {
             low += samples[i][0] < 0.5 ? 1 : 0;
@@ -177,6 +180,68 @@ static void chains_that_never_moved_do_not_agree(void **state)
     }
 }
 
+// ---- whole numbers beside the point
+
+#define CHOICES 3
+#define OPTIONS 4
+
+/** The second number says where a normal density of the point lies, and its option k has the weight k + 1; the
+ *  first has the weights too, and the third none. */
+static double where_chosen(void *context, const double *u, const size_t *choices)
+{
+    (void)context;
+    const double x = (u[0] - 0.2 * (double)(choices[1] + 1)) / 0.08;
+    const double y = (u[1] - 0.5) / 0.05;
+    return -0.5 * (x * x + y * y) + log((double)(choices[0] + 1)) +
+           log((double)(choices[1] + 1));
+}
+
+static size_t chosen[CHAINS * KEPT][CHOICES];
+
+/** Shares are weights over their sum, 1 to 4 of 10 or 1 of 4, and the mean of the point is 0.2 (1 + 4 + 9 + 16)/10 = 0.6.
+ *  A choice is drawn every third step; from share to share the chains scatter by 0.01. */
+static void choices_are_as_frequent_as_their_weights(void **state)
+{
+    (void)state;
+    const clod_chain_setup setup = {.dimensions = 2,
+                                    .chains = CHAINS,
+                                    .warm_up = 2000,
+                                    .kept = KEPT,
+                                    .choices = CHOICES,
+                                    .options = OPTIONS,
+                                    .seed = 5,
+                                    .density = where_chosen};
+    double accepted;
+    assert_true(clod_chain_run(&setup, samples[0], chosen[0], &accepted));
+    double share[CHOICES][OPTIONS] = {{0.0}};
+    for (int i = 0; i < CHAINS * KEPT; i++) {
+        for (int k = 0; k < CHOICES; k++) {
+            assert_in_range(chosen[i][k], 0, OPTIONS - 1);
+            share[k][chosen[i][k]] += 1.0 / (CHAINS * KEPT);
+        }
+    }
+    for (int m = 0; m < OPTIONS; m++) {
+        check_close(share[0][m], 0.1 * (m + 1), 0.03);
+        check_close(share[1][m], 0.1 * (m + 1), 0.05);
+        check_close(share[2][m], 0.25, 0.03);
+    }
+    check_close(mean_of(0), 0.6, 0.02);
+    check_close(mean_of(1), 0.5, 0.01);
+}
+
+/** Started where it is told, and without warm-up a chain's first sample is not further than a few of its steps. */
+static void a_chain_begins_where_it_is_told(void **state)
+{
+    (void)state;
+    const double start[] = {0.9, 0.1};
+    const clod_chain_setup setup = {
+        .dimensions = 2, .chains = 1, .kept = 1, .start = start, .seed = 3, .density = flat};
+    double accepted;
+    assert_true(clod_chain_run(&setup, samples[0], NULL, &accepted));
+    check_close(samples[0][0], 0.9, 0.1);
+    check_close(samples[0][1], 0.1, 0.1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -186,6 +251,8 @@ int main(void)
         cmocka_unit_test(effective_number_of_a_known_series),
         cmocka_unit_test(chains_that_disagree_are_seen),
         cmocka_unit_test(chains_that_never_moved_do_not_agree),
+        cmocka_unit_test(choices_are_as_frequent_as_their_weights),
+        cmocka_unit_test(a_chain_begins_where_it_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -61,6 +61,35 @@ static void a_line_gives_a_normal_posterior(void **state)
     clod_posterior_destroy(&self);
 }
 
+/** Four runs on a line, 0.1 off 5 - 4 u by signs + - - + that a line cannot follow: s^2 = 0.04/2, and a prediction at 0.4
+ *  is off by s sqrt(1 + 1/4 + 0.1^2/0.3125) = 0.16, times 2.92 to either side by Student's t of two degrees at 90 %, where
+ *  a variance that is known would have 1.645. The quantile of 64 draws scatters by a tenth. */
+static void a_line_of_few_runs_predicts_by_students_t(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 1, 2);
+    made.plan.seeds = 1;
+    made.targets[0].value = 18.0;
+    made.targets[0].error = 1e-3;
+    made.targets[1].error = 1e-3;
+    made.targets[1].held_back = true;
+    static const double U[] = {0.125, 0.375, 0.625, 0.875};
+    double y[4][2];
+    for (int i = 0; i < 4; i++) {
+        y[i][0] = 10.0 + 20.0 * U[i];
+        y[i][1] = 5.0 - 4.0 * U[i] + (i % 3 == 0 ? 0.1 : -0.1);
+    }
+    const clod_posterior_runs runs = {&made.plan, 4, U, &y[0][0], NULL};
+    clod_status status = {CLOD_OK, ""};
+    clod_posterior *self = clod_posterior_create(&runs, &status);
+    assert_non_null(self);
+    const clod_posterior_target *held = &self->targets[1];
+    check_close(held->mean, 3.4, 0.01);
+    check_relative(0.5 * (held->high - held->low), 2.92 * 0.16, 0.25);
+    clod_posterior_destroy(&self);
+}
+
 /** A discrepancy is added to the error in squares: hypot(0.6, 0.8) = 1. */
 static void a_discrepancy_widens(void **state)
 {
@@ -199,6 +228,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_line_gives_a_normal_posterior),
+        cmocka_unit_test(a_line_of_few_runs_predicts_by_students_t),
         cmocka_unit_test(a_discrepancy_widens),
         cmocka_unit_test(targets_that_contradict_each_other_are_seen),
         cmocka_unit_test(an_end_of_the_range_is_seen),

@@ -1,0 +1,185 @@
+/**
+ * Draws of what a surrogate does not know. Expected: moments over a grid of the likelihood, which
+ * test_surrogate.c and test_surrogate_noise.c have written out; chi-square moments of the variance.
+ */
+
+#include <gsl/gsl_sf_psi.h>
+#include <math.h>
+
+#include "base/random.h"
+#include "calibrate/surrogate.h"
+#include "support/check.h"
+
+#define RUNS 24
+#define DRAWS 1500
+
+static double inputs[RUNS], results[RUNS];
+static clod_surrogate *draws[DRAWS];
+
+/** A wave with packings that scatter: two of each point, one of each where `points` is RUNS. */
+static clod_surrogate *fit(int runs, int points, clod_surrogate_kind kind)
+{
+    clod_status status = {CLOD_OK, ""};
+    for (int i = 0; i < runs; i++) {
+        inputs[i] = ((double)(i % points) + 0.5) / points;
+        results[i] = sin(4.0 * inputs[i]) +
+                     0.1 * clod_random_normal(7, CLOD_RANDOM_TEST, (uint64_t)i, 0);
+    }
+    const clod_surrogate_runs all = {1, (size_t)runs, inputs, results, NULL};
+    clod_surrogate *self = clod_surrogate_create(&all, kind, &status);
+    assert_non_null(self);
+    return self;
+}
+
+static void draw(const clod_surrogate *self)
+{
+    clod_status status = {CLOD_OK, ""};
+    const clod_surrogate_dice dice = {11, 500};
+    assert_true(clod_surrogate_draw(self, &dice, DRAWS, NULL, draws, &status));
+}
+
+static void destroy(clod_surrogate *self)
+{
+    clod_surrogate_destroy(&self);
+    for (int i = 0; i < DRAWS; i++) {
+        clod_surrogate_destroy(&draws[i]);
+    }
+}
+
+/** Mean and mean square of numbers with weights. */
+typedef struct moments {
+    double weight, mean, square;
+} moments;
+
+static void add(moments *self, double value, double square, double weight)
+{
+    self->weight += weight;
+    self->mean += weight * (value - self->mean) / self->weight;
+    self->square += weight * (square - self->square) / self->weight;
+}
+
+static double deviation(const moments *self)
+{
+    return sqrt(self->square - self->mean * self->mean);
+}
+
+/** Logarithms of the length and of the noise's variance in the middle, and the slope. */
+static void look(const clod_surrogate *self, double *numbers)
+{
+    const double middle = 0.5;
+    numbers[0] = log(clod_surrogate_length(self, 0));
+    numbers[1] = 2.0 * log(clod_surrogate_noise(self, &middle));
+    numbers[2] = clod_surrogate_slope(self, 0);
+}
+
+#define GRID 40
+
+/** The same over the ranges of length (0.1 to 10), nugget (1e-6 to 1e4) and slope (-6 to 6) by their likelihood. With f
+ *  degrees the variance is f s^2/chi-square: its logarithm's mean is that of f s^2 less digamma(f/2) + log 2, and its
+ *  variance trigamma(f/2). */
+static void weigh(double freedom, moments *of)
+{
+    const clod_surrogate_runs all = {1, RUNS, inputs, results, NULL};
+    for (int i = 0; i < GRID * GRID * GRID; i++) {
+        const clod_surrogate_hyper hyper = {
+            .lengths = {0.1 * pow(100.0, (i % GRID + 0.5) / GRID)},
+            .nugget = 1e-6 * pow(1e10, (i / GRID % GRID + 0.5) / GRID),
+            .slopes = {-6.0 + 12.0 * (i / GRID / GRID + 0.5) / GRID}};
+        clod_status status = {CLOD_OK, ""};
+        clod_surrogate *one =
+            clod_surrogate_create_at(&all, CLOD_SURROGATE_GAUSSIAN, &hyper, &status);
+        assert_non_null(one);
+        double numbers[3];
+        look(one, numbers);
+        numbers[1] += log(freedom) - gsl_sf_psi(0.5 * freedom) - log(2.0);
+        const double own[] = {0.0, gsl_sf_psi_1(0.5 * freedom), 0.0};
+        for (int k = 0; k < 3; k++) {
+            add(&of[k], numbers[k], numbers[k] * numbers[k] + own[k],
+                exp(clod_surrogate_likelihood(one)));
+        }
+        clod_surrogate_destroy(&one);
+    }
+}
+
+/** Of 1500 draws at least 300 count as independent: means are known to 0.06 deviations, deviations to 0.05; three of
+ *  them and the grid's coarseness are allowed. */
+static void draws_have_the_moments_of_the_likelihood(void **state)
+{
+    (void)state;
+    clod_surrogate *self = fit(RUNS, RUNS / 2, CLOD_SURROGATE_GAUSSIAN);
+    moments expected[3] = {{0.0, 0.0, 0.0}};
+    moments found[3] = {{0.0, 0.0, 0.0}};
+    weigh(RUNS - 2.0, expected);
+    draw(self);
+    for (int i = 0; i < DRAWS; i++) {
+        double numbers[3];
+        look(draws[i], numbers);
+        for (int k = 0; k < 3; k++) {
+            add(&found[k], numbers[k], numbers[k] * numbers[k], 1.0);
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        const double one = deviation(&expected[k]);
+        print_message("%.3f +- %.3f, expected %.3f +- %.3f\n", found[k].mean,
+                      deviation(&found[k]), expected[k].mean, one);
+        check_close(found[k].mean, expected[k].mean, 0.2 * one);
+        check_close(deviation(&found[k]), one, 0.2 * one);
+    }
+    destroy(self);
+}
+
+/** Four runs and a line leave two degrees, too few for slopes: what a line does not know is Student's t. The middle of
+ *  s^2 f/v over draws is the median of chi-square of two degrees, 2 log 2; its share below it scatters by 0.013. */
+static void the_variance_of_a_line_is_drawn(void **state)
+{
+    (void)state;
+    clod_surrogate *self = fit(4, 4, CLOD_SURROGATE_LINEAR);
+    const double middle = 0.5;
+    const double likeliest = clod_surrogate_noise(self, &middle);
+    draw(self);
+    int below = 0, tail = 0;
+    for (int i = 0; i < DRAWS; i++) {
+        assert_true(clod_surrogate_slope(draws[i], 0) == 0.0);
+        const double over = likeliest / clod_surrogate_noise(draws[i], &middle);
+        below += 2.0 * over * over < 2.0 * log(2.0) ? 1 : 0;
+        tail += 2.0 * over * over < -2.0 * log(0.95) ? 1 : 0; // 5 % of chi-square
+    }
+    check_close((double)below / DRAWS, 0.5, 0.05);
+    check_close((double)tail / DRAWS, 0.05, 0.02);
+    destroy(self);
+}
+
+/** The same dice, the same draws; other dice, others. */
+static void draws_follow_their_dice(void **state)
+{
+    (void)state;
+    clod_status status = {CLOD_OK, ""};
+    clod_surrogate *self = fit(RUNS, RUNS, CLOD_SURROGATE_GAUSSIAN);
+    clod_surrogate *some[3][4];
+    const clod_surrogate_dice dice[] = {{1, 10}, {1, 10}, {1, 12}};
+    for (int k = 0; k < 3; k++) {
+        assert_true(clod_surrogate_draw(self, &dice[k], 4, NULL, some[k], &status));
+    }
+    for (int i = 0; i < 4; i++) {
+        double one[3], same[3], other[3];
+        look(some[0][i], one);
+        look(some[1][i], same);
+        look(some[2][i], other);
+        assert_memory_equal(one, same, sizeof one);
+        assert_true(other[1] != one[1]);
+    }
+    for (int k = 0; k < 12; k++) {
+        clod_surrogate_destroy(&some[k / 4][k % 4]);
+    }
+    clod_surrogate_destroy(&self);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(draws_have_the_moments_of_the_likelihood),
+        cmocka_unit_test(the_variance_of_a_line_is_drawn),
+        cmocka_unit_test(draws_follow_their_dice),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
