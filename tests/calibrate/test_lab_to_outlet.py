@@ -20,7 +20,7 @@ SLOW = [["clod", "calibrate", "plan.yaml", "-o"], ["clod", "run", "ring.yaml"], 
         ["clod", "run", "chute.yaml", "-o", "run/rust-45"], ["clod", "calibrate", "plan-wall.yaml", "-o"],
         ["clod", "run", "chute.yaml", "-o", "run/card-35"]]
 DEAR = [*SLOW, ["clod", "report"], ["clod", "picture"],
-        *([["clod", "run"]] if clod.SANITIZED else [])]
+        *([["clod", "run"], ["clod", "hopper"]] if clod.SANITIZED else [])]
 
 
 def is_dear(words):

@@ -13,7 +13,7 @@ import io_faults as faults
 from io_faults import clod
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-EVERY = 40
+EVERY = 60
 TABLES = ("series.csv", "energy.csv")
 INTERRUPTED = ("openat", "read", "pread", "write", "pwrite", "fsync", "fdatasync", "flock",
                "ftruncate", "close")
@@ -126,7 +126,7 @@ class Run(faults.FaultCase):
                    if calls[at - 1].name in (*faults.WRITING, "openat", "fsync", "renameat", "close")]
         self.assertGreater(len(numbers), 30)
         told = 0
-        for at in numbers[::self.EVERY // 4]:
+        for at in numbers[::max(1, self.EVERY // 6)]:
             self.begin(self.put_case)
             done = faults.run(self.work, *self.command, at=at, error=errno.ENOSPC, page=True)
             self.assertEqual(done.returncode, 0, f"{calls[at - 1]}: {done.stderr}")

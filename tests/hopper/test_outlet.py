@@ -45,6 +45,7 @@ class Outlet(clod.Case):
         why = [text.partition("has no stress over strength: ")[2] for text in mine if "has no stress" in text]
         return found[shape], kinds, why
 
+    @clod.quick_only
     def test_below_inside_and_above_the_interval(self):
         self.start()
         design = self.design()
@@ -107,6 +108,7 @@ class Outlet(clod.Case):
         self.assertEqual([kind for kind, _ in said], [KINDS[2]])
         self.assertIn(f"Cone: {100 * share:.1f} % of the samples do not flow through the outlet of", said[0][1])
 
+    @clod.quick_only
     def test_large_particles(self):
         """8 times the largest in a cone, 4 times in a wedge (Marinelli): 800 and 400 mm."""
         self.start(more="largest_particle: 100 mm\n")

@@ -34,6 +34,7 @@ class WallDecides(hopper_case.Case):
     def told(self, found, shape, words):
         return [text for text in found["warnings"] if text.startswith(shape + ": ") and words in text]
 
+    @clod.quick_only
     def test_a_free_flowing_solid_is_mass_flow(self):
         """In all four variants: by the line, below a given half angle, by an angle, and with f_c in proportion to sigma_1."""
         for rows, wall, more in ((FREE, "file: wall.csv", BUILT), (FREE, "file: wall.csv", GIVEN),
@@ -47,6 +48,7 @@ class WallDecides(hopper_case.Case):
             self.assertAlmostEqual(cone["arching_margin"]["value"], 20.8, delta=1.5)
             self.assertLess(cone["outlet_m"]["value"], 0.5)
 
+    @clod.quick_only
     def test_the_half_angle_is_that_at_the_outlet(self):
         """Of the friction angle at the wall of the outlet, whatever the flow function says at small stresses: the same limit as
         of a wall that has this angle at any stress. The wall there: tau_w from 1.60 kPa at 4 kPa and 0.83 at 2 kPa."""
@@ -63,6 +65,7 @@ class WallDecides(hopper_case.Case):
             self.assertAlmostEqual(angles[-1], cone["limit_deg"]["value"] - 3.0, delta=1e-9)
         self.assertAlmostEqual(angles[0], angles[1], delta=0.05)
 
+    @clod.quick_only
     def test_the_critical_outlet_is_where_the_solid_begins_to_slide(self):
         """Where the limit of mass flow has come down to the half angle; below it the solid sticks."""
         self.start()
@@ -115,6 +118,7 @@ class WallDecides(hopper_case.Case):
         self.start()
         self.assertEqual(self.told(self.found(*BUILT), "Cone", "higher in the hopper"), [])
 
+    @clod.quick_only
     def test_a_line_that_meets_the_axis_below_zero(self):
         """Its intercept is -0.06 kPa: below 1 kPa the wall has the angle that it has there, and not none. An outlet whose wall
         feels less has the half angle of a wall with that angle at any stress, and so has a hopper without one."""
@@ -177,6 +181,7 @@ class WallDecides(hopper_case.Case):
             self.start(rows.format(46, 34, 33), "angle: 12 deg")
             self.assertEqual(self.told(self.found("--set", f"cone={{{steep_or_wide}}}"), "Cone", words), [])
 
+    @clod.quick_only
     def test_funnel_flow_says_why(self):
         """A wall whose angle rises with stress, from 9 to 28 deg, and a strong solid: 30 deg slide at an outlet of 30 mm,
         but not at 16 kPa, the largest that was measured. There sigma_w = sigma_1 (1 + s cos 2 beta)/(1 + s), by hand."""

@@ -58,6 +58,7 @@ class WedgeLimit(hopper_case.Case):
             beyond = "Funnel flow: the half angle of 35.5 deg is flatter than the limit of mass flow that is given, 35.0 deg."
             self.assertEqual(beyond in told, outcome == "funnel_flow")
 
+    @clod.quick_only
     def test_samples_draw_the_limit_from_its_error(self):
         """Normal, 35 +- 2 deg: 90 % within 1.645 errors; a given 33 deg is beyond it in 15.9 %. 2000 samples tell that
         share to 0.8 %, a quantile at 5 % to 0.047 errors (sqrt(0.05 x 0.95/n)/0.1031): three times these."""

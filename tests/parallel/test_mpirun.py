@@ -1,6 +1,8 @@
 """clod under mpirun: the same files as one process writes, whatever the number of ranks.
 
-Skipped where clod was built without MPI. More ranks than processors are as good: they take turns.
+Skipped where clod was built without MPI. More ranks than processors are as good, but wait with a full processor: of
+two, three take twice as long as two ranks, seven ten times. So most tests here have two;
+test_mpirun_shapes_slow.py goes to 16, and step/test_ranks*.c and sim/test_*ranks*.c do, with ranks that are threads.
 """
 
 import glob
@@ -59,13 +61,13 @@ class Mpirun(clod.Case):
             self.assert_same_end(one, out, parts)
 
     def test_a_sheared_cohesive_bed(self):
-        self.assert_same_on((1, 2, 3, 4, 7), SLIT)
+        self.assert_same_on((1, 2, 4), SLIT)
 
     def test_grains_come_and_go_and_hang_together_on_a_mesh(self):
-        self.assert_same_on((2, 4, 7), RAIN)
+        self.assert_same_on((3,), RAIN, "--set", "output.surfaces=true")
 
     def test_all_that_is_measured_without_a_gather(self):
-        self.assert_same_on((1, 2, 3, 4, 7), STREAM, "--set", "output.contacts=true")
+        self.assert_same_on((2, 3), STREAM, "--set", "output.contacts=true")
         self.assertGreater(len(glob.glob(self.path("one/contacts_*.hdf"))), 3)
         last = clod.table(self.path("one/series.csv"))[-1]
         self.assertGreater(last["outlet_below.grains"], 10)
@@ -78,7 +80,7 @@ class Mpirun(clod.Case):
         self.assertGreater(last["belt.resting_mass"], 0)
 
     def test_groups_in_layers(self):
-        self.assert_same_on((2, 3, 7), LAYERS)
+        self.assert_same_on((2, 3), LAYERS)
         self.assertGreater(clod.read(self.path("one/leavers.csv")).count(b"\n"), 10)
         again = run(2, "run", LAYERS, "-o", self.path("ranks-3"), "--fresh")
         self.assertEqual(again.returncode, 0, again.stderr_text)
@@ -92,21 +94,16 @@ class Mpirun(clod.Case):
         self.assertIn("grains.1: only ", alone.stderr)
         self.assertIn(alone.stderr, done.stderr_text)
 
-    def test_a_shear_test(self):
-        self.assert_same_on((3,), RING, "--set", "ring_shear.preshear_min=2 mm",
-                            "--set", "ring_shear.preshear_max=4 mm",
-                            parts=("preshear", "reverse", "point-1", "point-2"))
-
     def test_a_uniaxial_test(self):
-        self.assert_same_on((3,), UNIAXIAL, parts=("fill", "stress-1", "stress-2"))
+        self.assert_same_on((2,), UNIAXIAL, parts=("fill", "stress-1", "stress-2"))
 
     def test_a_wall_friction_test(self):
-        self.assert_same_on((3,), WALL_FRICTION, parts=("fill", "wall"))
-        points = clod.table(self.path("ranks-3/wall_friction.csv"))
+        self.assert_same_on((2,), WALL_FRICTION, parts=("fill", "wall"))
+        points = clod.table(self.path("ranks-2/wall_friction.csv"))
         self.assertEqual([point["wall_stress"] for point in points], [1e3, 600.0])
 
     def assert_same_on_ridges(self, *options):
-        self.assert_same_on((3,), WALL_FRICTION, *options, "--set",
+        self.assert_same_on((2,), WALL_FRICTION, *options, "--set",
                             "wall_friction.plate_ridges={height: 1 mm, spacing: 4 mm}",
                             parts=("fill", "wall"))
 
@@ -118,7 +115,7 @@ class Mpirun(clod.Case):
                                    "--set", "wall_friction.inner_radius=7 mm",
                                    "--set", "wall_friction.bar_count=0")
 
-    def test_a_ring_with_a_grid_and_a_mixing_index(self):
+    def test_a_shear_test_with_a_grid_and_a_mixing_index(self):
         with open(RING) as file:
             text = file.read()
         box = "{box: {min: [-50 mm, -50 mm, -20 mm], max: [50 mm, 50 mm, 60 mm]}}"
@@ -126,24 +123,25 @@ class Mpirun(clod.Case):
             file.write(f"{text}\nfields: {{grid: {{region: {box}, cell: 5 mm, width: 10 mm, frames: true}}}}\n"
                        f"mixing: {{size: {{region: {box}, cell: 10 mm, above: 2.8 mm}}}}\n")
         parts = ("preshear", "reverse", "point-1", "point-2")
-        self.assert_same_on((2, 3), self.path("grids.yaml"), parts=parts)
+        self.assert_same_on((2,), self.path("grids.yaml"), "--set", "ring_shear.preshear_min=2 mm",
+                            "--set", "ring_shear.preshear_max=4 mm", parts=parts)
         for part in parts:
-            self.assertTrue(os.path.exists(self.path(f"ranks-3/{part}_field_grid.hdf")))
+            self.assertTrue(os.path.exists(self.path(f"ranks-2/{part}_field_grid.hdf")))
 
     def test_a_jenike_test(self):
-        self.assert_same_on((3,), JENIKE, "--set", "jenike.preshear_max=2.5 mm",
+        self.assert_same_on((2,), JENIKE, "--set", "jenike.preshear_max=2.5 mm",
                             "--set", "jenike.shear_max=1 mm",
                             parts=("preshear", "reverse", "point-1", "point-2"))
-        phases = {row["phase"] for row in clod.table(self.path("ranks-3/preshear.csv"))}
+        phases = {row["phase"] for row in clod.table(self.path("ranks-2/preshear.csv"))}
         self.assertEqual(phases, {0, 1, 2, 8, 3})  # fill, lower, consolidate, twist, sheared
 
     def test_grains_of_another_run(self):
         first = self.path("first")
         self.assertEqual(clod.run("run", SMALL, "-o", first).returncode, 0)
-        self.assert_same_on((2, 3), SMALL, "--from", first)
+        self.assert_same_on((3,), SMALL, "--from", first)
 
     def test_one_grain(self):
-        self.assert_same_on((2, 3), SMALL, "--set", "grains.0.count=1")
+        self.assert_same_on((2,), SMALL, "--set", "grains.0.count=1")
 
     def test_more_ranks_than_grains(self):
         self.assert_same_on((7,), SMALL, "--set", "grains.0.count=3")
@@ -180,15 +178,12 @@ class Mpirun(clod.Case):
         self.assertTrue(all(number == 0 for time, number in grains.items()
                             if abs(time - stopped["time_s"]) < 2e-3), stopped)
         shutil.copytree(out, other)
-        for ranks, folder in ((3, out), (0, other)):
+        for ranks, folder in ((2, out), (0, other)):
             done = run(ranks, "run", CHUTE, "-o", folder, *late) if ranks else \
                 clod.run("run", CHUTE, "-o", folder, *late)
             self.assertEqual(done.returncode, 0)
             self.assertIn("resume", [event["event"] for event in clod.log(folder)])
             self.assert_same_end(one, folder, ["run"])
-
-    def test_sums_of_surfaces(self):
-        self.assert_same_on((3,), RAIN, "--set", "output.surfaces=true")
 
     def test_other_verbs_are_refused(self):
         for verb in (("check", SMALL), ("new", "ring-shear", "-")):

@@ -31,7 +31,7 @@ PARTS = [f"seed-{seed}-{part}" for seed in (7, 8)
 class Groups(rank_groups.Groups):
 
     def test_seeds_and_points(self):
-        self.assert_same((2, 3, 5), PARTS, RING, *SHORT, *SEEDS)
+        self.assert_same((2, 3), PARTS, RING, *SHORT, *SEEDS)
 
     def start(self, ranks, out, *options):
         process = mpirun.start(ranks, clod.BINARY, "run", RING, "-o", out, *SEEDS, *options)
@@ -46,7 +46,7 @@ class Groups(rank_groups.Groups):
     def test_a_signal_to_rank_0_stops_all_parts(self):
         one, _ = self.alone(RING, *SHORT, *SEEDS)
         out = self.path("several")
-        process = self.start(4, out, *SHORT)
+        process = self.start(3, out, *SHORT)  # two of them on one seed
         with open(f"{out}/.clod-lock") as lock:
             os.kill(int(lock.read()), signal.SIGTERM)
         _, error = process.communicate(timeout=600)
@@ -54,7 +54,7 @@ class Groups(rank_groups.Groups):
         self.assertIn("the same command goes on", error)
         stopped = [event["part"] for event in clod.log(out) if event["event"] == "stopped"]
         self.assertEqual(sorted(stopped), ["seed-7-preshear", "seed-8-preshear"])
-        done = run(3, RING, "-o", out, *SHORT, *SEEDS)
+        done = run(2, RING, "-o", out, *SHORT, *SEEDS)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same_end(one, out, PARTS)
         resumed = [event["part"] for event in clod.log(out) if event["event"] == "resume"]
@@ -128,7 +128,7 @@ class Groups(rank_groups.Groups):
         self.assertEqual(sorted(stopped), ["seed-7-preshear", "seed-8-preshear"])
 
     def test_points_of_a_uniaxial_test(self):
-        self.assert_same((2, 3), ("fill", "stress-1", "stress-2"), UNIAXIAL)
+        self.assert_same((2,), ("fill", "stress-1", "stress-2"), UNIAXIAL)
 
     def test_seeds_of_a_wall_friction_test(self):
         self.assert_same((2,), [f"seed-{seed}-{part}" for seed in (3, 4) for part in ("fill", "wall")],
