@@ -1,8 +1,8 @@
 /**
  * Three shear points of few specimens: 90 % intervals hold the truth in so many repeats that 0.9 is not refuted,
  * whether the points move together or not. Asserted is that, were the share 0.9, so few or fewer would hold it in more
- * than one of 1000 such tests: 21 of 30 pass and 20 do not, 46 of 60 pass and 45 do not. So a test sees a share of a
- * half, as it was with three specimens and a correlation of 0.9 when errors were taken as independent and known. It
+ * than one of 1000 such tests: 21 of 30 pass and 20 do not. So a test sees a share of a half, as it was with three
+ * specimens and a correlation of 0.9 when errors were taken as independent and known. It
  * mostly misses a share of 0.8. test_coverage_specimens_slow.c has more of it. The width of an ideal interval: the
  * mean of three numbers with noise s of specimens and a correlation r has the error s sqrt((1 + 2 r)/3/n), over the
  * slope 0.35; with runs that tell the function well, 3.29 of them.
@@ -21,7 +21,7 @@ static void many_specimens_that_move_together(void **state)
 static void few_specimens_that_move_together(void **state)
 {
     (void)state;
-    assert_true(coverage_holds(&(coverage){0.9, 3, 12, 60}, 0.55));
+    assert_true(coverage_holds(&(coverage){0.9, 3, 12, 30}, 0.55));
 }
 
 /** n = 3, r = 0: t of 6 degrees, 0.05/3 0.35^-1 2 1.94/0.9 = 0.21. */
