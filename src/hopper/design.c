@@ -175,7 +175,12 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
     if (slides(solid, wish, lift, low) || !there) {
         return;
     }
-    while (high > low * (1.0 + CLOD_CRITICAL_CLOSE * wish->tolerance)) {
+    const double close = CLOD_CRITICAL_CLOSE * wish->tolerance;
+    const double near = low * (1.0 + 2.0 * close); // rounds that ended at the wall got as close
+    if (near < high && slides(solid, wish, lift, near)) {
+        high = near;
+    }
+    while (high > low * (1.0 + close)) {
         const double middle = sqrt(low * high);
         if (slides(solid, wish, lift, middle)) {
             high = middle;
@@ -233,9 +238,11 @@ static bool seems_larger(const clod_solid *solid, const clod_hopper_wish *wish, 
 static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_wish *wish)
 {
     const double least = fmax(wish->outlet, wish->least);
+    const bool larger = seems_larger(solid, wish, least);
     clod_hopper_design at;
-    if (seems_larger(solid, wish, least)) { // and then, as a rule, it is: half the work
-        clod_hopper_design self = clod_critical_settle(solid, wish);
+    clod_hopper_design self = {0};
+    if (larger) { // as a rule it is: half the work
+        self = clod_critical_settle(solid, wish);
         if (self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least) {
             set_design_state(&self, &self, 0.0);
             return self;
@@ -243,14 +250,15 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
     }
     const flow how = least > 0.0 ? flow_at(solid, wish, least, &at) : UNSETTLED;
     if (how == SLIDES) {
-        const clod_hopper_design self = design_for(solid, wish, &at, least);
-        if (self.outcome == CLOD_HOPPER_NO_ARCH ||
-            (self.outcome == CLOD_HOPPER_FLOWS && self.outlet <= least)) {
-            return self;
+        const clod_hopper_design built = design_for(solid, wish, &at, least);
+        if (built.outcome == CLOD_HOPPER_NO_ARCH ||
+            (built.outcome == CLOD_HOPPER_FLOWS && built.outlet <= least)) {
+            return built;
         }
     }
-    clod_hopper_design self =
-        clod_critical_settle(solid, wish); // the critical outlet is larger
+    if (!larger) {
+        self = clod_critical_settle(solid, wish); // the critical outlet is larger
+    }
     if (self.outcome == CLOD_HOPPER_FUNNEL && wish->outlet == 0.0) {
         // critical at so little stress that the wall holds it: at what was measured, it may not
         at = self;
