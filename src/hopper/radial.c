@@ -11,6 +11,9 @@
 #define LEAST_WIDEST_Q 1e-4    // the same for the widest hopper
 #define MOST_Q 1e3             // where nothing else bounds it
 #define CLOSE 1e-3             // psi at the wall, in tolerances of a step
+#define ROW 0.85                // of q to the next one, in the search for it
+#define MOST_ROWS 4            // that the search goes on at once
+#define STEEP 10.0             // more than psi at the wall changes with log q: at most 4.5 rad
 #define FEW 12                 // shots that find it where psi is continuous
 
 /** What the equations know. */
@@ -207,17 +210,75 @@ static try shoot(shot *self, double q)
     return (try){q, (self->way.stands ? STEEPEST : self->way.psi) - self->psi_w};
 }
 
-/** From the largest q downwards: one that psi at theta does not miss from below, and its
- *  neighbour above. */
-static bool bracket(shot *self, try *low, try *high)
+/** A shot at the q of row k: rows go from the largest q downwards. */
+static try shoot_row(shot *self, int k)
 {
-    *high = shoot(self, most_q(self->field));
-    for (double q = 0.85 * high->q; q > LEAST_Q; q *= 0.85) {
-        *low = shoot(self, q);
-        if (low->miss >= 0.0) {
+    return shoot(self, most_q(self->field) * pow(ROW, (double)k));
+}
+
+/** How many rows on from one that misses from below to look next: where a line through the last two
+ *  would not miss. On a curve that bends down it is not too far, else bisection leads back. */
+static int stride_of(const try *before, const try *at, int rows)
+{
+    const double rise = (at->miss - before->miss) / (double)rows;
+    return rise > 0.0 ? (int)fmin(MOST_ROWS, fmax(1.0, -at->miss / rise)) : MOST_ROWS;
+}
+
+/** Whether a row above one that misses from below misses less, up to one that does not miss. */
+static bool climb(shot *self, int at, try *low, try *high)
+{
+    try here = *high;
+    bool over = false;
+    for (int k = at - 1; k >= 0; k--) {
+        const try next = shoot_row(self, k);
+        if (over && next.miss < 0.0) {
+            *low = here;
+            *high = next;
             return true;
         }
-        *high = *low;
+        if (next.miss <= here.miss && !over) {
+            return false;
+        }
+        over = next.miss >= 0.0;
+        here = next;
+    }
+    return false;
+}
+
+/** From the largest q downwards: the first row that psi at theta does not miss from below, and its
+ *  neighbour above. Psi at theta rises to its largest, falls, and jumps up where the solid stands. */
+static bool bracket(shot *self, try *low, try *high)
+{
+    const int last = (int)(log(LEAST_Q / most_q(self->field)) / log(ROW));
+    int above = 0;
+    int stride = MOST_ROWS;
+    *high = shoot_row(self, 0);
+    for (int k = 0; k < last;) {
+        k = above + stride < last ? above + stride : last;
+        *low = shoot_row(self, k);
+        if (low->miss < 0.0) {
+            stride = stride_of(high, low, k - above);
+            above = k;
+            *high = *low;
+            continue;
+        }
+        bool stands = self->way.stands;
+        while (k - above > 1) {
+            const int middle = (k + above) / 2;
+            const try next = shoot_row(self, middle);
+            if (next.miss >= 0.0) {
+                k = middle;
+                *low = next;
+                stands = self->way.stands;
+            } else {
+                above = middle;
+                *high = next;
+            }
+        }
+        if (stands) {
+            climb(self, above, low, high);
+        }
+        return true;
     }
     double theta; // close to the limit only a narrow range of q fits, which steps may miss
     *low = shoot(self, widest(self->field, self->psi_w, &theta));
@@ -230,8 +291,13 @@ static bool bracket(shot *self, try *low, try *high)
 static void close_in(shot *self, try low, try high)
 {
     const double close = CLOSE * self->field->tolerance;
+    double missed = high.miss; // by the last shot that missed from below
+    bool stands = low.miss == STEEPEST - self->psi_w;
     int side = 0; // that the last shot fell on
     for (int i = 0; i < 100 && high.q - low.q > close * high.q; i++) {
+        if (stands && -missed > STEEP * log(high.q / low.q)) {
+            break; // there is none: psi jumps to where the solid stands
+        }
         const double q = i < FEW
                              ? (low.miss * high.q - high.miss * low.q) / (low.miss - high.miss)
                              : 0.5 * (low.q + high.q); // psi jumps: there is none
@@ -242,9 +308,11 @@ static void close_in(shot *self, try low, try high)
         if (next.miss > 0.0) {
             high.miss *= side > 0 ? 0.5 : 1.0;
             low = next;
+            stands = self->way.stands;
         } else {
             low.miss *= side < 0 ? 0.5 : 1.0;
             high = next;
+            missed = next.miss;
         }
         side = next.miss > 0.0 ? 1 : -1;
     }
