@@ -10,10 +10,12 @@
 #define LEAST_Q 1e-5           // range of q on the axis that is searched
 #define LEAST_WIDEST_Q 1e-4    // the same for the widest hopper
 #define MOST_Q 1e3             // where nothing else bounds it
-#define CLOSE 1e-3             // psi at the wall, in tolerances of a step
+#define CLOSE 1e-2             // psi at the wall, in tolerances of a step
 #define ROW 0.85                // of q to the next one, in the search for it
 #define MOST_ROWS 4            // that the search goes on at once
-#define STEEP 10.0             // more than psi at the wall changes with log q: at most 4.5 rad
+#define STEEP 10.0             // rad: psi at the wall changes by less with log q (4.5 at most)
+#define STEEPER 4.0            // times that of the last two shots
+#define CLOSE_Q 0.1            // relative, of q on the axis, in the same
 #define FEW 12                 // shots that find it where psi is continuous
 
 /** What the equations know. */
@@ -147,33 +149,59 @@ static double most_q(const clod_radial *self)
     return above > 1.0 / MOST_Q ? 1.0 / above : MOST_Q;
 }
 
-/** The q on the axis that reaches widest: golden section over its logarithm. */
+/** A value of log q on the axis with how far it reaches. */
+typedef struct reached {
+    double x, theta;
+} reached;
+
+/** Where a parabola through three points has its top; NAN: they lie on a line. */
+static double top_of(const reached *a, const reached *b, const reached *c)
+{
+    const double left = (b->x - a->x) * (b->theta - c->theta);
+    const double right = (b->x - c->x) * (b->theta - a->theta);
+    const double turn = left - right;
+    return b->x - 0.5 * ((b->x - a->x) * left - (b->x - c->x) * right) / turn;
+}
+
+/** The q on the axis that reaches widest, over its logarithm: golden section, and parabolas where they
+ *  close in faster (Brent, Algorithms for minimization without derivatives, 1973, ch. 5). */
 static double widest(const clod_radial *self, double psi_w, double *theta)
 {
-    const double golden = 0.6180339887498949;
+    const double golden = 0.3819660112501051;
+    const double close = 50.0 * self->tolerance;
     double low = log(LEAST_WIDEST_Q);
     double high = log(most_q(self));
-    double left = high - golden * (high - low);
-    double right = low + golden * (high - low);
-    double at_left = reach(self, exp(left), psi_w);
-    double at_right = reach(self, exp(right), psi_w);
-    while (high - low > 100.0 * self->tolerance) {
-        if (at_left > at_right) {
-            high = right;
-            right = left;
-            at_right = at_left;
-            left = high - golden * (high - low);
-            at_left = reach(self, exp(left), psi_w);
-        } else {
-            low = left;
-            left = right;
-            at_left = at_right;
-            right = low + golden * (high - low);
-            at_right = reach(self, exp(right), psi_w);
+    reached best = {low + golden * (high - low), 0.0};
+    best.theta = reach(self, exp(best.x), psi_w);
+    reached second = best;
+    reached third = best;
+    double move = 0.0;
+    double before = 0.0; // the move before the last one
+    while (fmax(best.x - low, high - best.x) > close) {
+        double next = top_of(&second, &best, &third);
+        const double last = before;
+        before = move;
+        if (!(fabs(next - best.x) < 0.5 * fabs(last)) || next <= low || next >= high) {
+            before = best.x > 0.5 * (low + high) ? low - best.x : high - best.x;
+            next = best.x + golden * before;
+        }
+        move = next - best.x;
+        if (fabs(move) < 0.5 * close) {
+            move = best.x > 0.5 * (low + high) ? -0.5 * close : 0.5 * close;
+        }
+        const reached at = {best.x + move, reach(self, exp(best.x + move), psi_w)};
+        const bool better = at.theta >= best.theta;
+        *((better ? at.x > best.x : at.x < best.x) ? &low : &high) = better ? best.x : at.x;
+        if (better || at.theta >= second.theta || second.x == best.x) {
+            third = second;
+            second = better ? best : at;
+            best = better ? at : best;
+        } else if (at.theta >= third.theta || third.x == best.x || third.x == second.x) {
+            third = at;
         }
     }
-    *theta = fmin(CLOD_RADIAL_WIDEST, fmax(at_left, at_right));
-    return exp(at_left > at_right ? left : right);
+    *theta = fmin(CLOD_RADIAL_WIDEST, best.theta);
+    return exp(best.x);
 }
 
 bool clod_radial_limit(const clod_radial *self, double *theta)
@@ -224,25 +252,50 @@ static int stride_of(const try *before, const try *at, int rows)
     return rise > 0.0 ? (int)fmin(MOST_ROWS, fmax(1.0, -at->miss / rise)) : MOST_ROWS;
 }
 
-/** Whether a row above one that misses from below misses less, up to one that does not miss. */
-static bool climb(shot *self, int at, try *low, try *high)
+/** What the rows above one that misses from below tell. */
+typedef enum climbed { FOUND, FALLS, NONE } climbed;
+
+/**
+ * Go up from a row that misses from below while the rows miss less, to one that does not miss.
+ *
+ * @param low, high  [out] on FOUND
+ * @return           FALLS: the next row up misses more; NONE: no row up to the one that misses least fits
+ */
+static climbed climb(shot *self, int at, try here, try *low, try *high)
 {
-    try here = *high;
-    bool over = false;
+    climbed how = FALLS;
     for (int k = at - 1; k >= 0; k--) {
         const try next = shoot_row(self, k);
-        if (over && next.miss < 0.0) {
+        if (here.miss >= 0.0 && next.miss < 0.0) {
             *low = here;
             *high = next;
-            return true;
+            return FOUND;
         }
-        if (next.miss <= here.miss && !over) {
-            return false;
+        if (here.miss < 0.0 && next.miss <= here.miss) {
+            return how;
         }
-        over = next.miss >= 0.0;
         here = next;
+        how = NONE;
     }
-    return false;
+    return NONE;
+}
+
+/** Between a row that misses from below and one that does not, to neighbours. */
+static bool part_rows(shot *self, int above, int k, bool stands, try *low, try *high)
+{
+    while (k - above > 1) {
+        const int middle = (k + above) / 2;
+        const try next = shoot_row(self, middle);
+        if (next.miss >= 0.0) {
+            k = middle;
+            *low = next;
+            stands = self->way.stands;
+        } else {
+            above = middle;
+            *high = next;
+        }
+    }
+    return !stands || climb(self, above, *high, low, high) != NONE;
 }
 
 /** From the largest q downwards: the first row that psi at theta does not miss from below, and its
@@ -256,29 +309,15 @@ static bool bracket(shot *self, try *low, try *high)
     for (int k = 0; k < last;) {
         k = above + stride < last ? above + stride : last;
         *low = shoot_row(self, k);
-        if (low->miss < 0.0) {
-            stride = stride_of(high, low, k - above);
-            above = k;
-            *high = *low;
-            continue;
+        if (low->miss >= 0.0) {
+            return part_rows(self, above, k, self->way.stands, low, high);
         }
-        bool stands = self->way.stands;
-        while (k - above > 1) {
-            const int middle = (k + above) / 2;
-            const try next = shoot_row(self, middle);
-            if (next.miss >= 0.0) {
-                k = middle;
-                *low = next;
-                stands = self->way.stands;
-            } else {
-                above = middle;
-                *high = next;
-            }
+        if (low->miss < high->miss && high->miss > M_PI_2 - self->psi_w) {
+            return climb(self, k, *low, low, high) == FOUND;
         }
-        if (stands) {
-            climb(self, above, low, high);
-        }
-        return true;
+        stride = stride_of(high, low, k - above);
+        above = k;
+        *high = *low;
     }
     double theta; // close to the limit only a narrow range of q fits, which steps may miss
     *low = shoot(self, widest(self->field, self->psi_w, &theta));
@@ -292,10 +331,11 @@ static void close_in(shot *self, try low, try high)
 {
     const double close = CLOSE * self->field->tolerance;
     double missed = high.miss; // by the last shot that missed from below
+    double steep = STEEP; // more than psi changes with log q below that shot
     bool stands = low.miss == STEEPEST - self->psi_w;
     int side = 0; // that the last shot fell on
-    for (int i = 0; i < 100 && high.q - low.q > close * high.q; i++) {
-        if (stands && -missed > STEEP * log(high.q / low.q)) {
+    for (int i = 0; i < 100 && high.q - low.q > CLOSE_Q * self->field->tolerance * high.q; i++) {
+        if (stands && -missed > steep * log(high.q / low.q)) {
             break; // there is none: psi jumps to where the solid stands
         }
         const double q = i < FEW
@@ -311,6 +351,7 @@ static void close_in(shot *self, try low, try high)
             stands = self->way.stands;
         } else {
             low.miss *= side < 0 ? 0.5 : 1.0;
+            steep = fmin(STEEP, STEEPER * fabs(next.miss - missed) / log(high.q / next.q));
             high = next;
             missed = next.miss;
         }
