@@ -25,9 +25,11 @@ bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, 
     const clod_radial field = {wish->shape, self->state.phi_e, self->state.phi_w,
                                wish->tolerance};
     clod_radial_wall wall;
-    if (self->half_angle <= 0.0 || !clod_radial_solve(&field, self->half_angle, &wall)) {
+    if (self->half_angle <= 0.0 ||
+        !clod_radial_solve_near(&field, self->half_angle, self->axis, &wall)) {
         return false;
     }
+    self->axis = wall.axis;
     self->arch = clod_hopper_arch_thickness(wish->arch, wish->shape, self->half_angle);
     self->flow_factor = self->arch * wall.sigma_1 / (2.0 * sin(self->half_angle));
     return true;
@@ -118,7 +120,7 @@ double clod_critical_first(const clod_solid *solid, const clod_hopper_wish *wish
 static bool leads_below(const clod_solid *solid, const clod_hopper_wish *wish, double stress,
                         double begin)
 {
-    clod_hopper_design self;
+    clod_hopper_design self = {0};
     clod_bracket at = clod_bracket_from(stress);
     if (!clod_critical_shape(solid, wish, stress, &self)) {
         return false;

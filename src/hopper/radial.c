@@ -14,6 +14,7 @@
 #define ROW 0.85                // of q to the next one, in the search for it
 #define MOST_ROWS 4            // that the search goes on at once
 #define STEEP 10.0             // rad: psi at the wall changes by less with log q (4.5 at most)
+#define FLAT 0.1               // theta of the widest hopper, in tolerances of a step
 #define STEEPER 4.0            // times that of the last two shots
 #define CLOSE_Q 0.1            // relative, of q on the axis, in the same
 #define FEW 12                 // shots that find it where psi is continuous
@@ -177,7 +178,9 @@ static double widest(const clod_radial *self, double psi_w, double *theta)
     reached third = best;
     double move = 0.0;
     double before = 0.0; // the move before the last one
-    while (fmax(best.x - low, high - best.x) > close) {
+    const double flat = FLAT * self->tolerance;
+    bool level = false; // so near the top that the last three reach equally far
+    while (!level && fmax(best.x - low, high - best.x) > close) {
         double next = top_of(&second, &best, &third);
         const double last = before;
         before = move;
@@ -199,6 +202,8 @@ static double widest(const clod_radial *self, double psi_w, double *theta)
         } else if (at.theta >= third.theta || third.x == best.x || third.x == second.x) {
             third = at;
         }
+        const bool three = second.x != best.x && third.x != best.x && third.x != second.x;
+        level = three && best.theta - fmin(second.theta, third.theta) < flat;
     }
     *theta = fmin(CLOD_RADIAL_WIDEST, best.theta);
     return exp(best.x);
@@ -298,15 +303,41 @@ static bool part_rows(shot *self, int above, int k, bool stands, try *low, try *
     return !stands || climb(self, above, *high, low, high) != NONE;
 }
 
+/** From a row that does not miss from below up to one that does. @param high  [out] the row, if it does */
+static bool step_up(shot *self, int k, try *low, try *high)
+{
+    *high = shoot_row(self, k);
+    if (high->miss < 0.0 || self->way.stands) {
+        return false;
+    }
+    while (high->miss >= 0.0 && k > 0) {
+        *low = *high;
+        *high = shoot_row(self, --k);
+    }
+    return true;
+}
+
 /** From the largest q downwards: the first row that psi at theta does not miss from below, and its
  *  neighbour above. Psi at theta rises to its largest, falls, and jumps up where the solid stands. */
-static bool bracket(shot *self, try *low, try *high)
+static bool bracket(shot *self, double guess, try *low, try *high)
 {
     const int last = (int)(log(LEAST_Q / most_q(self->field)) / log(ROW));
     int above = 0;
     int stride = MOST_ROWS;
-    *high = shoot_row(self, 0);
-    for (int k = 0; k < last;) {
+    if (guess > 0.0) {
+        above = (int)ceil(log(guess / most_q(self->field)) / log(ROW));
+        above = above < 1 ? 1 : above;
+        stride = 1;
+        if (step_up(self, above, low, high)) {
+            return true;
+        }
+    }
+    if (guess <= 0.0 || self->way.stands) {
+        above = 0;
+        stride = MOST_ROWS;
+        *high = shoot_row(self, 0);
+    }
+    for (int k = above; k < last;) {
         k = above + stride < last ? above + stride : last;
         *low = shoot_row(self, k);
         if (low->miss >= 0.0) {
@@ -361,14 +392,20 @@ static void close_in(shot *self, try low, try high)
 
 bool clod_radial_solve(const clod_radial *self, double theta, clod_radial_wall *wall)
 {
+    return clod_radial_solve_near(self, theta, 0.0, wall);
+}
+
+bool clod_radial_solve_near(const clod_radial *self, double theta, double guess,
+                            clod_radial_wall *wall)
+{
     const double beta = clod_radial_beta(self->phi_e, self->phi_w);
     if (!(beta >= 0.0)) {
         return false;
     }
     shot one = {.field = self, .psi_w = M_PI_2 + beta, .theta = theta};
-    try low;
-    try high;
-    if (!bracket(&one, &low, &high)) {
+    try low = {0.0, 0.0};
+    try high = low;
+    if (!bracket(&one, guess, &low, &high)) {
         return false;
     }
     close_in(&one, low, high);
