@@ -17,7 +17,6 @@
 #define FLAT 0.1               // theta of the widest hopper, in tolerances of a step
 #define STEEPER 4.0            // times that of the last two shots
 #define CLOSE_Q 0.1            // relative, of q on the axis, in the same
-#define FEW 12                 // shots that find it where psi is continuous
 
 /** What the equations know. */
 typedef struct equations {
@@ -356,37 +355,53 @@ static bool bracket(shot *self, double guess, try *low, try *high)
     return low->miss >= 0.0;
 }
 
-/** Close in on the q between two others: false position, where an end that stays twice counts half (Illinois). Steps
- *  of other sizes make psi jump by about the tolerance as q changes, so what is far below that is noise. */
+/** Where to shoot next, as a share of the way from the last shot to the one on the other side of psi_w: by an inverse
+ *  parabola through three, where it surely closes in, or half way (Chandrupatla, Adv. Eng. Softw. 28, 1997, 145). */
+static double share_of(const try *at, const try *across, const try *before)
+{
+    const double way = (at->q - across->q) / (before->q - across->q);
+    const double rise = (at->miss - across->miss) / (before->miss - across->miss);
+    if (!(rise * rise < way && (1.0 - rise) * (1.0 - rise) < 1.0 - way)) {
+        return 0.5;
+    }
+    return at->miss / (across->miss - at->miss) * before->miss / (across->miss - before->miss) +
+           (before->q - at->q) / (across->q - at->q) * at->miss / (before->miss - at->miss) *
+               across->miss / (before->miss - across->miss);
+}
+
+/** Close in on the q between two others. Steps of other sizes make psi jump by about the tolerance as q changes, so
+ *  what is far below that is noise. */
 static void close_in(shot *self, try low, try high)
 {
     const double close = CLOSE * self->field->tolerance;
-    double missed = high.miss; // by the last shot that missed from below
-    double steep = STEEP; // more than psi changes with log q below that shot
+    const double least = CLOSE_Q * self->field->tolerance;
     bool stands = low.miss == STEEPEST - self->psi_w;
-    int side = 0; // that the last shot fell on
-    for (int i = 0; i < 100 && high.q - low.q > CLOSE_Q * self->field->tolerance * high.q; i++) {
-        if (stands && -missed > steep * log(high.q / low.q)) {
+    double steep = STEEP; // more than psi changes with log q below the last shot that missed from below
+    try at = low;
+    try across = high;
+    double share = stands ? 0.5 : low.miss / (low.miss - high.miss);
+    for (int i = 0; i < 100 && fabs(at.q - across.q) > least * at.q; i++) {
+        const try *missed = at.miss < 0.0 ? &at : &across;
+        if (stands && -missed->miss > steep * fabs(log(at.q / across.q))) {
             break; // there is none: psi jumps to where the solid stands
         }
-        const double q = i < FEW
-                             ? (low.miss * high.q - high.miss * low.q) / (low.miss - high.miss)
-                             : 0.5 * (low.q + high.q); // psi jumps: there is none
-        const try next = shoot(self, q);
+        const double end = 0.5 * least * at.q / fabs(at.q - across.q);
+        const try next =
+            shoot(self, at.q + fmin(1.0 - end, fmax(end, share)) * (across.q - at.q));
         if (fabs(next.miss) < close) {
             break;
         }
         if (next.miss > 0.0) {
-            high.miss *= side > 0 ? 0.5 : 1.0;
-            low = next;
             stands = self->way.stands;
         } else {
-            low.miss *= side < 0 ? 0.5 : 1.0;
-            steep = fmin(STEEP, STEEPER * fabs(next.miss - missed) / log(high.q / next.q));
-            high = next;
-            missed = next.miss;
+            steep = fmin(STEEP, STEEPER * fabs(next.miss - missed->miss) /
+                                    log(missed->q / next.q));
         }
-        side = next.miss > 0.0 ? 1 : -1;
+        const bool same = (next.miss > 0.0) == (at.miss > 0.0);
+        const try before = same ? at : across;
+        across = same ? across : at;
+        at = next;
+        share = share_of(&at, &across, &before);
     }
 }
 
