@@ -178,8 +178,8 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
     double high = good;
     const double lift = lift_of(solid, wish, good);
     double axis = 0.0;
-    const bool there =
-        wish->limit > 0.0 ? wish->half_angle <= wish->limit : slides(solid, wish, lift, high, &axis);
+    const bool there = wish->limit > 0.0 ? wish->half_angle <= wish->limit
+                                         : slides(solid, wish, lift, high, &axis);
     if (slides(solid, wish, lift, low, &axis) || !there) {
         return;
     }

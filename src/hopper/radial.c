@@ -11,7 +11,7 @@
 #define LEAST_WIDEST_Q 1e-4    // the same for the widest hopper
 #define MOST_Q 1e3             // where nothing else bounds it
 #define CLOSE 1e-2             // psi at the wall, in tolerances of a step
-#define ROW 0.85                // of q to the next one, in the search for it
+#define ROW 0.85               // of q to the next one, in the search for it
 #define MOST_ROWS 4            // that the search goes on at once
 #define STEEP 10.0             // rad: psi at the wall changes by less with log q (4.5 at most)
 #define FLAT 0.1               // theta of the widest hopper, in tolerances of a step
@@ -376,7 +376,8 @@ static void close_in(shot *self, try low, try high)
     const double close = CLOSE * self->field->tolerance;
     const double least = CLOSE_Q * self->field->tolerance;
     bool stands = low.miss == STEEPEST - self->psi_w;
-    double steep = STEEP; // more than psi changes with log q below the last shot that missed from below
+    double steep =
+        STEEP; // more than psi changes with log q below the last shot that missed from below
     try at = low;
     try across = high;
     double share = stands ? 0.5 : low.miss / (low.miss - high.miss);
@@ -394,8 +395,8 @@ static void close_in(shot *self, try low, try high)
         if (next.miss > 0.0) {
             stands = self->way.stands;
         } else {
-            steep = fmin(STEEP, STEEPER * fabs(next.miss - missed->miss) /
-                                    log(missed->q / next.q));
+            steep =
+                fmin(STEEP, STEEPER * fabs(next.miss - missed->miss) / log(missed->q / next.q));
         }
         const bool same = (next.miss > 0.0) == (at.miss > 0.0);
         const try before = same ? at : across;
