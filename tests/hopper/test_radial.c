@@ -328,25 +328,26 @@ static double axis_by_looking(const clod_radial *of, double theta)
     return 0.0;
 }
 
-// Expected: the equations in fixed steps at each hundredth of q. A degree and more off the limit, so that neither steps
-// nor hundredths decide whether there is a solution.
+// Expected: the equations in fixed steps at each hundredth of q. Far enough off the limit that neither steps nor hundredths
+// decide whether there is a solution. A guess may be too small for any solution, or so that the solid stands still.
 static void the_largest_q_is_found_from_any_guess(void **state)
 {
     (void)state;
     static const double PAIRS[][2] = {{30, 19}, {40, 16}, {42, 24}, {50, 20}, {60, 30}};
-    static const double GUESSES[] = {0.0, 1e-4, 0.003, 0.02, 0.05, 0.1, 0.2, 0.4, 3.0};
+    static const double BELOW[] = {15.0, 8.0, 3.0, 1.0, 0.05, -1.0}; // the limit, degrees
+    static const double GUESSES[] = {0.0, 1e-4, 0.003, 0.01, 0.014, 0.02, 0.05, 0.1, 0.4, 3.0};
     for (size_t k = 0; k < sizeof PAIRS / sizeof PAIRS[0]; k++) {
         const clod_radial of = field(CLOD_RADIAL_CONE, PAIRS[k][0], PAIRS[k][1]);
         const double widest = limit(CLOD_RADIAL_CONE, PAIRS[k][0], PAIRS[k][1]);
-        for (int at = 0; at < 5; at++) {
-            const double theta = (at < 4 ? (widest - 1.0) * (at + 1) / 4.0 : widest + 1.0);
-            const double axis = axis_by_looking(&of, theta * DEGREE);
-            assert_true((axis > 0.0) == (at < 4));
+        for (size_t at = 0; at < sizeof BELOW / sizeof BELOW[0]; at++) {
+            const double theta = fmax(1.0, widest - BELOW[at]) * DEGREE;
+            const double axis = axis_by_looking(&of, theta);
+            assert_true((axis > 0.0) == (BELOW[at] > 0.0));
             for (size_t g = 0; g < sizeof GUESSES / sizeof GUESSES[0]; g++) {
                 clod_radial_wall wall;
-                assert_true(clod_radial_solve_near(&of, theta * DEGREE, GUESSES[g], &wall) ==
-                            (at < 4));
-                assert_true(at == 4 || fabs(wall.axis / axis - 1.0) < 0.012);
+                const bool found = clod_radial_solve_near(&of, theta, GUESSES[g], &wall);
+                assert_true(found == (BELOW[at] > 0.0));
+                assert_true(!found || fabs(wall.axis / axis - 1.0) < 0.012);
             }
         }
     }
