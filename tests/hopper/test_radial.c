@@ -329,11 +329,13 @@ static double axis_by_looking(const clod_radial *of, double theta)
 }
 
 // Expected: the equations in fixed steps at each hundredth of q. Far enough off the limit that neither steps nor hundredths
-// decide whether there is a solution. A guess may be too small for any solution, or so that the solid stands still.
+// decide whether there is a solution, and the axis to two of them. A guess may be too small for any
+// solution, or so that the solid stands still.
 static void the_largest_q_is_found_from_any_guess(void **state)
 {
     (void)state;
-    static const double PAIRS[][2] = {{30, 19}, {40, 16}, {42, 24}, {50, 20}, {60, 30}};
+    static const double PAIRS[][2] = {{30, 19}, {40, 16}, {42, 24}, {50, 20},
+                                      {60, 30}, {35, 2},  {50, 3}};
     static const double BELOW[] = {15.0, 8.0, 3.0, 1.0, 0.05, -1.0}; // the limit, degrees
     static const double GUESSES[] = {0.0, 1e-4, 0.003, 0.01, 0.014, 0.02, 0.05, 0.1, 0.4, 3.0};
     for (size_t k = 0; k < sizeof PAIRS / sizeof PAIRS[0]; k++) {
@@ -347,7 +349,7 @@ static void the_largest_q_is_found_from_any_guess(void **state)
                 clod_radial_wall wall;
                 const bool found = clod_radial_solve_near(&of, theta, GUESSES[g], &wall);
                 assert_true(found == (BELOW[at] > 0.0));
-                assert_true(!found || fabs(wall.axis / axis - 1.0) < 0.012);
+                assert_true(!found || fabs(wall.axis / axis - 1.0) < 0.02);
             }
         }
     }
