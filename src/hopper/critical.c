@@ -25,9 +25,11 @@ bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, 
     const clod_radial field = {wish->shape, self->state.phi_e, self->state.phi_w,
                                wish->tolerance};
     clod_radial_wall wall;
-    if (self->half_angle <= 0.0 || !clod_radial_solve(&field, self->half_angle, &wall)) {
+    if (self->half_angle <= 0.0 ||
+        !clod_radial_solve_near(&field, self->half_angle, self->axis, &wall)) {
         return false;
     }
+    self->axis = wall.axis;
     self->arch = clod_hopper_arch_thickness(wish->arch, wish->shape, self->half_angle);
     self->flow_factor = self->arch * wall.sigma_1 / (2.0 * sin(self->half_angle));
     return true;
@@ -114,13 +116,32 @@ double clod_critical_first(const clod_solid *solid, const clod_hopper_wish *wish
     return wish->first > 0.0 ? wish->first : solid->strength.points[0].x;
 }
 
+/** Whether a search from a stress goes down at once to where another one began, or below. */
+static bool leads_below(const clod_solid *solid, const clod_hopper_wish *wish, double stress,
+                        double begin)
+{
+    clod_hopper_design self = {0};
+    clod_bracket at = clod_bracket_from(stress);
+    if (!clod_critical_shape(solid, wish, stress, &self)) {
+        return false;
+    }
+    go_on(solid, self.flow_factor, &at);
+    return at.sigma_1 <= begin;
+}
+
 /** Rounds from small stresses up, and where they end at a wall that holds the solid, down. */
 clod_hopper_design clod_critical_settle(const clod_solid *solid, const clod_hopper_wish *wish)
 {
     const clod_curve *strength = &solid->strength;
-    const clod_hopper_design self = settle_from(solid, wish, clod_critical_first(solid, wish));
-    // a wall with adhesion may hold the solid at small stresses only
-    return self.outcome == CLOD_HOPPER_FUNNEL
-               ? settle_from(solid, wish, strength->points[strength->count - 1].x)
-               : self;
+    const double first = clod_critical_first(solid, wish);
+    const double last = strength->points[strength->count - 1].x;
+    const clod_hopper_design self = settle_from(solid, wish, first);
+    if (self.outcome != CLOD_HOPPER_FUNNEL) {
+        return self;
+    }
+    // a wall with adhesion may hold the solid at small stresses only; but where it slid at the first
+    // stress, too, the rounds from there have looked at all that lies below
+    const bool slid = self.state.sigma_1 < first;
+    return slid && leads_below(solid, wish, last, first) ? self
+                                                         : settle_from(solid, wish, last);
 }

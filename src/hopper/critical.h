@@ -14,7 +14,11 @@
 /** Largest half angle of mass flow in a cone for a state; 0: none. */
 double clod_critical_limit(const clod_solid_state *state, double tolerance);
 
-/** State, half angle, H and flow factor at one stress; false: funnel flow. */
+/**
+ * State, half angle, H and flow factor at one stress; false: funnel flow.
+ *
+ * @param self  [in,out] the field's axis in it tells where to look first; 0: not known
+ */
 bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1,
                          clod_hopper_design *self);
 

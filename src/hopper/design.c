@@ -1,6 +1,7 @@
 #include "hopper/design.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "hopper/bracket.h"
 #include "hopper/critical.h"
@@ -143,9 +144,10 @@ static double lift_of(const clod_solid *solid, const clod_hopper_wish *wish, dou
                : 0.0;
 }
 
-/** Whether a cone of this half angle less `lift`, which is safe for a wedge too, is mass flow at a stress. */
+/** Whether a cone of this half angle less `lift`, which is safe for a wedge too, is mass flow at a stress.
+ *  @param axis  [in,out] of the last field that was found, 0: none; NULL: not wanted */
 static bool slides(const clod_solid *solid, const clod_hopper_wish *wish, double lift,
-                   double sigma_1)
+                   double sigma_1, double *axis)
 {
     const clod_solid_state state = clod_solid_at(solid, sigma_1);
     const double half_angle = wish->half_angle - lift;
@@ -154,7 +156,12 @@ static bool slides(const clod_solid *solid, const clod_hopper_wish *wish, double
     }
     const clod_radial cone = {CLOD_RADIAL_CONE, state.phi_e, state.phi_w, wish->tolerance};
     clod_radial_wall wall;
-    return clod_radial_solve(&cone, half_angle, &wall);
+    const bool good =
+        clod_radial_solve_near(&cone, half_angle, axis != NULL ? *axis : 0.0, &wall);
+    if (good && axis != NULL) {
+        *axis = wall.axis;
+    }
+    return good;
 }
 
 /**
@@ -170,14 +177,20 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
     double low = known ? self->state.sigma_1 : NO_STRESS * good;
     double high = good;
     const double lift = lift_of(solid, wish, good);
-    const bool there =
-        wish->limit > 0.0 ? wish->half_angle <= wish->limit : slides(solid, wish, lift, high);
-    if (slides(solid, wish, lift, low) || !there) {
+    double axis = 0.0;
+    const bool there = wish->limit > 0.0 ? wish->half_angle <= wish->limit
+                                         : slides(solid, wish, lift, high, &axis);
+    if (slides(solid, wish, lift, low, &axis) || !there) {
         return;
     }
-    while (high > low * (1.0 + CLOD_CRITICAL_CLOSE * wish->tolerance)) {
+    const double close = CLOD_CRITICAL_CLOSE * wish->tolerance;
+    const double near = low * (1.0 + 2.0 * close); // rounds that ended at the wall got as close
+    if (near < high && slides(solid, wish, lift, near, &axis)) {
+        high = near;
+    }
+    while (high > low * (1.0 + close)) {
         const double middle = sqrt(low * high);
-        if (slides(solid, wish, lift, middle)) {
+        if (slides(solid, wish, lift, middle, &axis)) {
             high = middle;
         } else {
             low = middle;
@@ -233,9 +246,11 @@ static bool seems_larger(const clod_solid *solid, const clod_hopper_wish *wish, 
 static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_wish *wish)
 {
     const double least = fmax(wish->outlet, wish->least);
+    const bool larger = seems_larger(solid, wish, least);
     clod_hopper_design at;
-    if (seems_larger(solid, wish, least)) { // and then, as a rule, it is: half the work
-        clod_hopper_design self = clod_critical_settle(solid, wish);
+    clod_hopper_design self = {0};
+    if (larger) { // as a rule it is: half the work
+        self = clod_critical_settle(solid, wish);
         if (self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least) {
             set_design_state(&self, &self, 0.0);
             return self;
@@ -243,14 +258,15 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
     }
     const flow how = least > 0.0 ? flow_at(solid, wish, least, &at) : UNSETTLED;
     if (how == SLIDES) {
-        const clod_hopper_design self = design_for(solid, wish, &at, least);
-        if (self.outcome == CLOD_HOPPER_NO_ARCH ||
-            (self.outcome == CLOD_HOPPER_FLOWS && self.outlet <= least)) {
-            return self;
+        const clod_hopper_design built = design_for(solid, wish, &at, least);
+        if (built.outcome == CLOD_HOPPER_NO_ARCH ||
+            (built.outcome == CLOD_HOPPER_FLOWS && built.outlet <= least)) {
+            return built;
         }
     }
-    clod_hopper_design self =
-        clod_critical_settle(solid, wish); // the critical outlet is larger
+    if (!larger) {
+        self = clod_critical_settle(solid, wish); // the critical outlet is larger
+    }
     if (self.outcome == CLOD_HOPPER_FUNNEL && wish->outlet == 0.0) {
         // critical at so little stress that the wall holds it: at what was measured, it may not
         at = self;
@@ -291,7 +307,7 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
     const bool funnel = self.outcome == CLOD_HOPPER_FUNNEL;
     if (built > 0.0 || self.outcome == CLOD_HOPPER_NO_ARCH || funnel) {
         const bool here = wish->limit > 0.0 ? wish->half_angle <= wish->limit
-                                            : slides(solid, wish, 0.0, at.state.sigma_1);
+                                            : slides(solid, wish, 0.0, at.state.sigma_1, NULL);
         begin_to_slide(solid, wish,
                        funnel && !here ? strength->points[strength->count - 1].x
                                        : at.state.sigma_1,

@@ -58,6 +58,7 @@ typedef struct clod_hopper_design {
         limit; ///< rad: largest half angle of mass flow, that of the wish or a cone's; 0: none
     double half_angle;  ///< rad
     double arch;        ///< H
+    double axis;        ///< of the last stress field, as in clod_radial_wall; 0: none
     double flow_factor; ///< ff
     double outlet;      ///< m: critical diameter or width; 0: no arch; INFINITY: arches
 } clod_hopper_design;

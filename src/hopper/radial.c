@@ -10,8 +10,13 @@
 #define LEAST_Q 1e-5           // range of q on the axis that is searched
 #define LEAST_WIDEST_Q 1e-4    // the same for the widest hopper
 #define MOST_Q 1e3             // where nothing else bounds it
-#define CLOSE 1e-3             // psi at the wall, in tolerances of a step
-#define FEW 12                 // shots that find it where psi is continuous
+#define CLOSE 1e-2             // psi at the wall, in tolerances of a step
+#define ROW 0.85               // of q to the next one, in the search for it
+#define MOST_ROWS 4            // that the search goes on at once
+#define STEEP 10.0             // rad: psi at the wall changes by less with log q (4.5 at most)
+#define FLAT 0.1               // theta of the widest hopper, in tolerances of a step
+#define STEEPER 4.0            // times that of the last two shots
+#define CLOSE_Q 0.1            // relative, of q on the axis, in the same
 
 /** What the equations know. */
 typedef struct equations {
@@ -144,33 +149,63 @@ static double most_q(const clod_radial *self)
     return above > 1.0 / MOST_Q ? 1.0 / above : MOST_Q;
 }
 
-/** The q on the axis that reaches widest: golden section over its logarithm. */
+/** A value of log q on the axis with how far it reaches. */
+typedef struct reached {
+    double x, theta;
+} reached;
+
+/** Where a parabola through three points has its top; NAN: they lie on a line. */
+static double top_of(const reached *a, const reached *b, const reached *c)
+{
+    const double left = (b->x - a->x) * (b->theta - c->theta);
+    const double right = (b->x - c->x) * (b->theta - a->theta);
+    const double turn = left - right;
+    return b->x - 0.5 * ((b->x - a->x) * left - (b->x - c->x) * right) / turn;
+}
+
+/** The q on the axis that reaches widest, over its logarithm: golden section, and parabolas where they
+ *  close in faster (Brent, Algorithms for minimization without derivatives, 1973, ch. 5). */
 static double widest(const clod_radial *self, double psi_w, double *theta)
 {
-    const double golden = 0.6180339887498949;
+    const double golden = 0.3819660112501051;
+    const double close = 50.0 * self->tolerance;
     double low = log(LEAST_WIDEST_Q);
     double high = log(most_q(self));
-    double left = high - golden * (high - low);
-    double right = low + golden * (high - low);
-    double at_left = reach(self, exp(left), psi_w);
-    double at_right = reach(self, exp(right), psi_w);
-    while (high - low > 100.0 * self->tolerance) {
-        if (at_left > at_right) {
-            high = right;
-            right = left;
-            at_right = at_left;
-            left = high - golden * (high - low);
-            at_left = reach(self, exp(left), psi_w);
-        } else {
-            low = left;
-            left = right;
-            at_left = at_right;
-            right = low + golden * (high - low);
-            at_right = reach(self, exp(right), psi_w);
+    reached best = {low + golden * (high - low), 0.0};
+    best.theta = reach(self, exp(best.x), psi_w);
+    reached second = best;
+    reached third = best;
+    double move = 0.0;
+    double before = 0.0; // the move before the last one
+    const double flat = FLAT * self->tolerance;
+    bool level = false; // so near the top that the last three reach equally far
+    while (!level && fmax(best.x - low, high - best.x) > close) {
+        double next = top_of(&second, &best, &third);
+        const double last = before;
+        before = move;
+        if (!(fabs(next - best.x) < 0.5 * fabs(last)) || next <= low || next >= high) {
+            before = best.x > 0.5 * (low + high) ? low - best.x : high - best.x;
+            next = best.x + golden * before;
         }
+        move = next - best.x;
+        if (fabs(move) < 0.5 * close) {
+            move = best.x > 0.5 * (low + high) ? -0.5 * close : 0.5 * close;
+        }
+        const reached at = {best.x + move, reach(self, exp(best.x + move), psi_w)};
+        const bool better = at.theta >= best.theta;
+        *((better ? at.x > best.x : at.x < best.x) ? &low : &high) = better ? best.x : at.x;
+        if (better || at.theta >= second.theta || second.x == best.x) {
+            third = second;
+            second = better ? best : at;
+            best = better ? at : best;
+        } else if (at.theta >= third.theta || third.x == best.x || third.x == second.x) {
+            third = at;
+        }
+        const bool three = second.x != best.x && third.x != best.x && third.x != second.x;
+        level = three && best.theta - fmin(second.theta, third.theta) < flat;
     }
-    *theta = fmin(CLOD_RADIAL_WIDEST, fmax(at_left, at_right));
-    return exp(at_left > at_right ? left : right);
+    *theta = fmin(CLOD_RADIAL_WIDEST, best.theta);
+    return exp(best.x);
 }
 
 bool clod_radial_limit(const clod_radial *self, double *theta)
@@ -207,16 +242,111 @@ static try shoot(shot *self, double q)
     return (try){q, (self->way.stands ? STEEPEST : self->way.psi) - self->psi_w};
 }
 
-/** From the largest q downwards: one that psi at theta does not miss from below, and its
- *  neighbour above. */
-static bool bracket(shot *self, try *low, try *high)
+/** A shot at the q of row k: rows go from the largest q downwards. */
+static try shoot_row(shot *self, int k)
 {
-    *high = shoot(self, most_q(self->field));
-    for (double q = 0.85 * high->q; q > LEAST_Q; q *= 0.85) {
-        *low = shoot(self, q);
-        if (low->miss >= 0.0) {
+    return shoot(self, most_q(self->field) * pow(ROW, (double)k));
+}
+
+/** How many rows on from one that misses from below to look next: where a line through the last two
+ *  would not miss. On a curve that bends down it is not too far, else bisection leads back. */
+static int stride_of(const try *before, const try *at, int rows)
+{
+    const double rise = (at->miss - before->miss) / (double)rows;
+    return rise > 0.0 ? (int)fmin(MOST_ROWS, fmax(1.0, -at->miss / rise)) : MOST_ROWS;
+}
+
+/** What the rows above one that misses from below tell. */
+typedef enum climbed { FOUND, FALLS, NONE } climbed;
+
+/**
+ * Go up from a row that misses from below while the rows miss less, to one that does not miss.
+ *
+ * @param low, high  [out] on FOUND
+ * @return           FALLS: the next row up misses more; NONE: no row up to the one that misses least fits
+ */
+static climbed climb(shot *self, int at, try here, try *low, try *high)
+{
+    climbed how = FALLS;
+    for (int k = at - 1; k >= 0; k--) {
+        const try next = shoot_row(self, k);
+        if (here.miss >= 0.0 && next.miss < 0.0) {
+            *low = here;
+            *high = next;
+            return FOUND;
+        }
+        if (here.miss < 0.0 && next.miss <= here.miss) {
+            return how;
+        }
+        here = next;
+        how = NONE;
+    }
+    return NONE;
+}
+
+/** Between a row that misses from below and one that does not, to neighbours. */
+static bool part_rows(shot *self, int above, int k, bool stands, try *low, try *high)
+{
+    while (k - above > 1) {
+        const int middle = (k + above) / 2;
+        const try next = shoot_row(self, middle);
+        if (next.miss >= 0.0) {
+            k = middle;
+            *low = next;
+            stands = self->way.stands;
+        } else {
+            above = middle;
+            *high = next;
+        }
+    }
+    return !stands || climb(self, above, *high, low, high) != NONE;
+}
+
+/** From a row that does not miss from below up to one that does. @param high  [out] the row, if it does */
+static bool step_up(shot *self, int k, try *low, try *high)
+{
+    *high = shoot_row(self, k);
+    if (high->miss < 0.0 || self->way.stands) {
+        return false;
+    }
+    while (high->miss >= 0.0 && k > 0) {
+        *low = *high;
+        *high = shoot_row(self, --k);
+    }
+    return true;
+}
+
+/** From the largest q downwards: the first row that psi at theta does not miss from below, and its
+ *  neighbour above. Psi at theta rises to its largest, falls, and jumps up where the solid stands. */
+static bool bracket(shot *self, double guess, try *low, try *high)
+{
+    const int last = (int)(log(LEAST_Q / most_q(self->field)) / log(ROW));
+    int above = 0;
+    int stride = MOST_ROWS;
+    if (guess > 0.0) {
+        above = (int)ceil(log(guess / most_q(self->field)) / log(ROW));
+        above = above < 1 ? 1 : above;
+        stride = 1;
+        if (step_up(self, above, low, high)) {
             return true;
         }
+    }
+    if (guess <= 0.0 || self->way.stands) {
+        above = 0;
+        stride = MOST_ROWS;
+        *high = shoot_row(self, 0);
+    }
+    for (int k = above; k < last;) {
+        k = above + stride < last ? above + stride : last;
+        *low = shoot_row(self, k);
+        if (low->miss >= 0.0) {
+            return part_rows(self, above, k, self->way.stands, low, high);
+        }
+        if (low->miss < high->miss && high->miss > M_PI_2 - self->psi_w) {
+            return climb(self, k, *low, low, high) == FOUND;
+        }
+        stride = stride_of(high, low, k - above);
+        above = k;
         *high = *low;
     }
     double theta; // close to the limit only a narrow range of q fits, which steps may miss
@@ -225,41 +355,73 @@ static bool bracket(shot *self, try *low, try *high)
     return low->miss >= 0.0;
 }
 
-/** Close in on the q between two others: false position, where an end that stays twice counts half (Illinois). Steps
- *  of other sizes make psi jump by about the tolerance as q changes, so what is far below that is noise. */
+/** Where to shoot next, as a share of the way from the last shot to the one on the other side of psi_w: by an inverse
+ *  parabola through three, where it surely closes in, or half way (Chandrupatla, Adv. Eng. Softw. 28, 1997, 145). */
+static double share_of(const try *at, const try *across, const try *before)
+{
+    const double way = (at->q - across->q) / (before->q - across->q);
+    const double rise = (at->miss - across->miss) / (before->miss - across->miss);
+    if (!(rise * rise < way && (1.0 - rise) * (1.0 - rise) < 1.0 - way)) {
+        return 0.5;
+    }
+    return at->miss / (across->miss - at->miss) * before->miss / (across->miss - before->miss) +
+           (before->q - at->q) / (across->q - at->q) * at->miss / (before->miss - at->miss) *
+               across->miss / (before->miss - across->miss);
+}
+
+/** Close in on the q between two others. Steps of other sizes make psi jump by about the tolerance as q changes, so
+ *  what is far below that is noise. */
 static void close_in(shot *self, try low, try high)
 {
     const double close = CLOSE * self->field->tolerance;
-    int side = 0; // that the last shot fell on
-    for (int i = 0; i < 100 && high.q - low.q > close * high.q; i++) {
-        const double q = i < FEW
-                             ? (low.miss * high.q - high.miss * low.q) / (low.miss - high.miss)
-                             : 0.5 * (low.q + high.q); // psi jumps: there is none
-        const try next = shoot(self, q);
+    const double least = CLOSE_Q * self->field->tolerance;
+    bool stands = low.miss == STEEPEST - self->psi_w;
+    double steep =
+        STEEP; // more than psi changes with log q below the last shot that missed from below
+    try at = low;
+    try across = high;
+    double share = stands ? 0.5 : low.miss / (low.miss - high.miss);
+    for (int i = 0; i < 100 && fabs(at.q - across.q) > least * at.q; i++) {
+        const try *missed = at.miss < 0.0 ? &at : &across;
+        if (stands && -missed->miss > steep * fabs(log(at.q / across.q))) {
+            break; // there is none: psi jumps to where the solid stands
+        }
+        const double end = 0.5 * least * at.q / fabs(at.q - across.q);
+        const try next =
+            shoot(self, at.q + fmin(1.0 - end, fmax(end, share)) * (across.q - at.q));
         if (fabs(next.miss) < close) {
             break;
         }
         if (next.miss > 0.0) {
-            high.miss *= side > 0 ? 0.5 : 1.0;
-            low = next;
+            stands = self->way.stands;
         } else {
-            low.miss *= side < 0 ? 0.5 : 1.0;
-            high = next;
+            steep =
+                fmin(STEEP, STEEPER * fabs(next.miss - missed->miss) / log(missed->q / next.q));
         }
-        side = next.miss > 0.0 ? 1 : -1;
+        const bool same = (next.miss > 0.0) == (at.miss > 0.0);
+        const try before = same ? at : across;
+        across = same ? across : at;
+        at = next;
+        share = share_of(&at, &across, &before);
     }
 }
 
 bool clod_radial_solve(const clod_radial *self, double theta, clod_radial_wall *wall)
+{
+    return clod_radial_solve_near(self, theta, 0.0, wall);
+}
+
+bool clod_radial_solve_near(const clod_radial *self, double theta, double guess,
+                            clod_radial_wall *wall)
 {
     const double beta = clod_radial_beta(self->phi_e, self->phi_w);
     if (!(beta >= 0.0)) {
         return false;
     }
     shot one = {.field = self, .psi_w = M_PI_2 + beta, .theta = theta};
-    try low;
-    try high;
-    if (!bracket(&one, &low, &high)) {
+    try low = {0.0, 0.0};
+    try high = low;
+    if (!bracket(&one, guess, &low, &high)) {
         return false;
     }
     close_in(&one, low, high);

@@ -67,3 +67,11 @@ bool clod_radial_limit(const clod_radial *self, double *theta);
  * Errors  none.   Threads  pure.   Test  tests/hopper/test_radial.c
  */
 bool clod_radial_solve(const clod_radial *self, double theta, clod_radial_wall *wall);
+
+/**
+ * The same, sooner where a field close to it is known.
+ *
+ * @param guess  mean stress over r rho g on the axis of that field; 0: not known
+ */
+bool clod_radial_solve_near(const clod_radial *self, double theta, double guess,
+                            clod_radial_wall *wall);

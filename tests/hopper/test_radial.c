@@ -295,6 +295,66 @@ static void no_solid_slides_along_a_rough_wall(void **state)
     }
 }
 
+/** Psi at theta [rad] from a q on the axis, in fixed steps; 135 degrees from where the solid stands still. */
+static double psi_from(const clod_radial *of, double theta, double q)
+{
+    enum { STEPS = 200 };
+    const double h = theta / STEPS;
+    double psi = M_PI_2;
+    for (int k = 0; k < STEPS; k++) {
+        double dq[2];
+        double dp[2];
+        derive(of, k * h, q, psi, &dq[0], &dp[0]);
+        derive(of, (k + 0.5) * h, q + 0.5 * h * dq[0], psi + 0.5 * h * dp[0], &dq[1], &dp[1]);
+        q += h * dq[1];
+        psi += h * dp[1];
+        if (psi < M_PI_2 || psi >= 0.75 * M_PI) {
+            return psi < M_PI_2 ? psi : 0.75 * M_PI;
+        }
+    }
+    return psi;
+}
+
+/** The largest q on the axis that fits the wall, looked for at each hundredth of q from above; 0: none. */
+static double axis_by_looking(const clod_radial *of, double theta)
+{
+    const double psi_w = M_PI_2 + clod_radial_beta(of->phi_e, of->phi_w);
+    for (double q = 2.0; q > 1e-3; q *= 0.99) {
+        const double psi = psi_from(of, theta, q);
+        if (psi >= psi_w) {
+            return psi < 0.75 * M_PI ? q : 0.0;
+        }
+    }
+    return 0.0;
+}
+
+// Expected: the equations in fixed steps at each hundredth of q. Far enough off the limit that neither steps nor hundredths
+// decide whether there is a solution, and the axis to two of them. A guess may be too small for any
+// solution, or so that the solid stands still.
+static void the_largest_q_is_found_from_any_guess(void **state)
+{
+    (void)state;
+    static const double PAIRS[][2] = {{30, 19}, {40, 16}, {42, 24}, {50, 20},
+                                      {60, 30}, {35, 2},  {50, 3}};
+    static const double BELOW[] = {15.0, 8.0, 3.0, 1.0, 0.05, -1.0}; // the limit, degrees
+    static const double GUESSES[] = {0.0, 1e-4, 0.003, 0.01, 0.014, 0.02, 0.05, 0.1, 0.4, 3.0};
+    for (size_t k = 0; k < sizeof PAIRS / sizeof PAIRS[0]; k++) {
+        const clod_radial of = field(CLOD_RADIAL_CONE, PAIRS[k][0], PAIRS[k][1]);
+        const double widest = limit(CLOD_RADIAL_CONE, PAIRS[k][0], PAIRS[k][1]);
+        for (size_t at = 0; at < sizeof BELOW / sizeof BELOW[0]; at++) {
+            const double theta = fmax(1.0, widest - BELOW[at]) * DEGREE;
+            const double axis = axis_by_looking(&of, theta);
+            assert_true((axis > 0.0) == (BELOW[at] > 0.0));
+            for (size_t g = 0; g < sizeof GUESSES / sizeof GUESSES[0]; g++) {
+                clod_radial_wall wall;
+                const bool found = clod_radial_solve_near(&of, theta, GUESSES[g], &wall);
+                assert_true(found == (BELOW[at] > 0.0));
+                assert_true(!found || fabs(wall.axis / axis - 1.0) < 0.02);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -309,6 +369,7 @@ int main(void)
         cmocka_unit_test(rougher_walls_need_steeper_hoppers),
         cmocka_unit_test(the_wall_has_its_friction),
         cmocka_unit_test(no_solid_slides_along_a_rough_wall),
+        cmocka_unit_test(the_largest_q_is_found_from_any_guess),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
