@@ -1,6 +1,6 @@
 /**
  * As test_coverage_specimens.c, over correlations, specimens and points: docs/theory/calibration.md has the
- * table. Some four minutes of processor time.
+ * table. Some fifteen minutes of processor time.
  */
 
 #include "coverage.h"
