@@ -58,9 +58,9 @@ if(NOT TARGET clod_calibrate)
 endif()
 if(CLOD_SANITIZE)
   # Shares of hundreds of repeats: numbers that do not depend on the build. The code is run by
-  # calibrate/test_calibrate.py (a study to its end), and by hopper/test_hopper.py (samples drawn of all curves).
+  # calibrate/test_posterior.c, and by calibrate/test_calibrate.py, a study to its end.
   list(FILTER CLOD_TEST_SOURCES EXCLUDE REGEX
-    "calibrate/test_coverage(_growing|_specimens|_specimens_slow|)\\.c$|hopper/test_(draw|joint)\\.c$")
+    "calibrate/test_coverage(_growing|_specimens|_specimens_slow|)\\.c$")
 endif()
 # The name, the folder and most labels of a test from its file.
 macro(clod_name_test)

@@ -24,8 +24,9 @@ typedef struct clod_chain_setup {
     size_t kept;    ///< samples of each chain
     size_t choices; ///< whole numbers that are sampled beside the point; mostly 0
     size_t options; ///< each of them is below this, and all are as likely before the density
-    const double *start; ///< where chains begin; NULL: at random places
-    uint64_t seed, stream;
+    const double *start; ///< where all chains begin; NULL: at random places
+    uint64_t seed;
+    uint64_t stream; ///< of the first chain's random numbers; the next chain has the next one
     clod_chain_density density;
     void *context;
     const clod_stop *stop; ///< asked before every density; NULL: never

@@ -11,8 +11,10 @@
 #include "calibrate/chain.h"
 #include "calibrate/surrogate_fit.h"
 
-#define WARM_UP 600
-#define APART 10 ///< steps from one draw to the next
+// The more numbers a chain walks over, the longer it takes.
+#define FEW 3       ///< numbers: so many, and fewer, are walked over in as many steps
+#define WARM_UP 600 ///< steps before the first draw, for FEW numbers
+#define APART 10    ///< steps from one draw to the next, for FEW numbers
 
 _Static_assert(CLOD_SURROGATE_NUMBERS <= CLOD_CHAIN_MOST, "a chain takes all hyperparameters");
 
@@ -40,7 +42,14 @@ static double log_density(void *context, const double *place, const size_t *choi
     return clod_surrogate_factor(self->surrogate) ? self->surrogate->likelihood : -HUGE_VAL;
 }
 
-/** Chain of places from that of greatest likelihood; [count * APART][bounds.count] */
+/** Steps in proportion to the numbers that are walked over. */
+static size_t steps_for(const cube *self, size_t few)
+{
+    const size_t numbers = self->bounds.count;
+    return numbers > FEW ? few * numbers / FEW : few;
+}
+
+/** Chain of places from that of greatest likelihood; [count * apart][bounds.count], the draws apart */
 static bool walk(const cube *self, const clod_surrogate *from, const clod_surrogate_dice *dice,
                  size_t count, const clod_stop *stop, double *places)
 {
@@ -52,8 +61,8 @@ static bool walk(const cube *self, const clod_surrogate *from, const clod_surrog
     }
     const clod_chain_setup setup = {.dimensions = self->bounds.count,
                                     .chains = 1,
-                                    .warm_up = WARM_UP,
-                                    .kept = count * APART,
+                                    .warm_up = steps_for(self, WARM_UP),
+                                    .kept = count * steps_for(self, APART),
                                     .start = numbers,
                                     .seed = dice->seed,
                                     .stream = dice->stream,
@@ -92,7 +101,8 @@ bool clod_surrogate_draw(const clod_surrogate *self, const clod_surrogate_dice *
     }
     clod_surrogate_bounds_of(self, &at.bounds);
     const size_t d = at.bounds.count;
-    double *places = clod_memory_alloc(count * APART * (d > 0 ? d : 1), sizeof *places);
+    const size_t step = steps_for(&at, APART);
+    double *places = clod_memory_alloc(count * step * d + 1, sizeof *places);
     bool good =
         places != NULL || clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
     if (good && d > 0 && !walk(&at, self, dice, count, stop, places)) {
@@ -101,7 +111,7 @@ bool clod_surrogate_draw(const clod_surrogate *self, const clod_surrogate_dice *
     for (size_t i = 0; i < count && good; i++) {
         const double die =
             clod_random_uniform(dice->seed, CLOD_RANDOM_CALIBRATE, dice->stream + 1, i);
-        draws[i] = draw(&at, self, d > 0 ? places + i * APART * d : NULL, die, status);
+        draws[i] = draw(&at, self, d > 0 ? places + i * step * d : NULL, die, status);
         good = draws[i] != NULL;
     }
     clod_memory_free(places);

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file surrogate_fit.h
- * What a surrogate is made of, for surrogate.c, surrogate_fit.c, surrogate_noise.c and surrogate_out.c alone.
+ * What a surrogate is made of, for the files surrogate*.c alone.
  */
 
 #include <gsl/gsl_matrix.h>

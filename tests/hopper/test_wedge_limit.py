@@ -58,16 +58,17 @@ class WedgeLimit(hopper_case.Case):
             beyond = "Funnel flow: the half angle of 35.5 deg is flatter than the limit of mass flow that is given, 35.0 deg."
             self.assertEqual(beyond in told, outcome == "funnel_flow")
 
-    @clod.quick_only
     def test_samples_draw_the_limit_from_its_error(self):
         """Normal, 35 +- 2 deg: 90 % within 1.645 errors; a given 33 deg is beyond it in 15.9 %. 2000 samples tell that
         share to 0.8 %, a quantile at 5 % to 0.047 errors (sqrt(0.05 x 0.95/n)/0.1031): three times these."""
         self.start(wedge("limit: 35 deg, limit_error: 2 deg, outlet: 1 m"))
-        more = ("--set", "interval.samples=2000")
+        more = ("--set", f"interval.samples={20 if clod.SANITIZED else 2000}")
         text = clod.run("hopper", "case.yaml", "--json", *more, cwd=self.folder).stdout
         found = hopper_case.json.loads(text)["wedge"]
         for key, middle in (("limit_deg", 35.0), ("half_angle_deg", 32.0)):
             self.assertAlmostEqual(found[key]["value"], middle, places=12)
+            if clod.SANITIZED:
+                return
             self.assertAlmostEqual(found[key]["low"], middle - 1.645 * 2.0, delta=0.29)
             self.assertAlmostEqual(found[key]["high"], middle + 1.645 * 2.0, delta=0.29)
         self.assertNotIn("limit of the wedge", " ".join(self.warnings()))
