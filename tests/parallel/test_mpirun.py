@@ -132,7 +132,7 @@ class Mpirun(clod.Case):
         self.assert_same_on((3,), JENIKE, "--set", "jenike.preshear_max=2.5 mm",
                             "--set", "jenike.shear_max=1 mm",
                             parts=("preshear", "reverse", "point-1", "point-2"))
-        phases = {row["phase"] for row in clod.table(self.path("ranks-2/preshear.csv"))}
+        phases = {row["phase"] for row in clod.table(self.path("ranks-3/preshear.csv"))}
         self.assertEqual(phases, {0, 1, 2, 8, 3})  # fill, lower, consolidate, twist, sheared
 
     def test_grains_of_another_run(self):
