@@ -62,7 +62,7 @@ class WedgeLimit(hopper_case.Case):
         """Normal, 35 +- 2 deg: 90 % within 1.645 errors; a given 33 deg is beyond it in 15.9 %. 2000 samples tell that
         share to 0.8 %, a quantile at 5 % to 0.047 errors (sqrt(0.05 x 0.95/n)/0.1031): three times these."""
         self.start(wedge("limit: 35 deg, limit_error: 2 deg, outlet: 1 m"))
-        more = ("--set", f"interval.samples={20 if clod.SANITIZED else 2000}")
+        more = ("--set", f"interval.samples={100 if clod.SANITIZED else 2000}")
         text = clod.run("hopper", "case.yaml", "--json", *more, cwd=self.folder).stdout
         found = hopper_case.json.loads(text)["wedge"]
         for key, middle in (("limit_deg", 35.0), ("half_angle_deg", 32.0)):
