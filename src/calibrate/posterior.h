@@ -24,8 +24,7 @@ typedef struct clod_posterior_runs {
 } clod_posterior_runs;
 
 typedef struct clod_posterior_target {
-    clod_surrogate
-        *surrogate; ///< likeliest; owned; NULL: held back, and the runs do not give one
+    clod_surrogate *surrogate; ///< likeliest, owned; NULL: held back, and none from the runs
     clod_surrogate *draws[CLOD_POSTERIOR_DRAWS]; ///< owned; NULL without surrogate
     char why[CLOD_POSTERIOR_WHY];                ///< they do not
     size_t runs;                                 ///< that have the number
@@ -53,8 +52,7 @@ typedef struct clod_posterior {
     clod_posterior_parameter *parameters; ///< [dimensions] owned
     double *correlation;                  ///< [dimensions][dimensions] owned
     double *samples;                      ///< [count][dimensions] owned
-    size_t *
-        chosen; ///< [count][used] draws of the surrogates of the used targets, in their order; owned
+    size_t *chosen; ///< [count][used] draws of the used targets' surrogates, in order; owned
     size_t count;
     double accepted;
     double chi_square, p_value; ///< posterior predictive, of the targets that are used

@@ -154,7 +154,7 @@ typedef struct reached {
     double x, theta;
 } reached;
 
-/** Where a parabola through three points has its top; NAN: they lie on a line. */
+/** Where a parabola through three points has its top; not finite: they lie on a line. */
 static double top_of(const reached *a, const reached *b, const reached *c)
 {
     const double left = (b->x - a->x) * (b->theta - c->theta);

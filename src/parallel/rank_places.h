@@ -59,7 +59,7 @@ bool clod_rank_places_crowded(const clod_rank_place *place, int ranks, int rank,
                               clod_rank_host *host);
 
 /**
- * Ranks that may use no other processors than one of them may, itself among them.
+ * Ranks whose processors are all among those of one of them, itself counted. Processors that only overlap do not count.
  *
  * @param place  [ranks]
  * Errors  none.   Threads  pure.   Test  tests/parallel/test_rank_places.c

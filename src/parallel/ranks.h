@@ -86,7 +86,7 @@ bool clod_ranks_keep(clod_ranks *self, const clod_message *out, int outs,
 void clod_ranks_start(clod_ranks *self);
 void clod_ranks_finish(clod_ranks *self);
 
-/** Ranks that may use no other processors than this one may, itself among them; all, where that is not
+/** Ranks whose processors are all among those of this one, itself counted; all, where places are not
  *  known. */
 int clod_ranks_beside(const clod_ranks *self);
 
