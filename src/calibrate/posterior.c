@@ -136,7 +136,7 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
                                       (plan->targets[number].held_back ? DRAWN_BACK : DRAWN) +
                                           2 * among};
     return clod_surrogate_draw(to->surrogate, &dice, self->draws, runs->stop, to->draws,
-                               status);
+                               &to->independent, status);
 }
 
 static bool fit(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)

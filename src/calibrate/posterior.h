@@ -26,6 +26,7 @@ typedef struct clod_posterior_runs {
 typedef struct clod_posterior_target {
     clod_surrogate *surrogate; ///< likeliest, owned; NULL: held back, and none from the runs
     clod_surrogate *draws[CLOD_POSTERIOR_DRAWS]; ///< owned; NULL without surrogate
+    double independent;                          ///< so many of them count as that
     char why[CLOD_POSTERIOR_WHY];                ///< they do not
     size_t runs;                                 ///< that have the number
     clod_surrogate_check check;

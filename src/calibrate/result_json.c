@@ -91,6 +91,8 @@ static json_t *surrogate(const clod_result *self, size_t t)
                              clod_json_number(factor * noise), "least_packing_deviation",
                              clod_json_number(factor * least), "greatest_packing_deviation",
                              clod_json_number(factor * greatest), "relative_lengths", lengths);
+    json_object_set_new(made, "draws", json_integer((json_int_t)self->study->posterior->draws));
+    json_object_set_new(made, "independent_draws", clod_json_number(one->independent));
     if (one->checked) {
         json_object_set_new(made, "left_out_error",
                             clod_json_number(factor * one->check.error));

@@ -102,14 +102,16 @@ typedef struct clod_surrogate_dice {
  * Surrogates of the same runs whose hyperparameters and variance are drawn from their posterior: lengths and nugget
  * flat in their logarithms within the ranges of the search, slopes by their prior, the variance flat in its logarithm.
  *
- * @param draws  [out] [count] owned by the caller, each; NULL behind the first error
+ * @param draws      [out] [count] owned by the caller, each; NULL behind the first error
+ * @param effective  [out] independent draws that would tell the least known mean of a hyperparameter as well; count
+ *                   without hyperparameters
  * Errors  CLOD_FAILED: memory; CLOD_INTERRUPTED.   Threads  safe.
  * Source  Handcock and Stein, Technometrics 35 (1993) 403; Gelman et al., Bayesian Data Analysis (2013), 3.2.
  * Test    tests/calibrate/test_surrogate_draws.c
  */
 bool clod_surrogate_draw(const clod_surrogate *self, const clod_surrogate_dice *dice,
                          size_t count, const clod_stop *stop, clod_surrogate **draws,
-                         clod_status *status);
+                         double *effective, clod_status *status);
 
 /** One more run in thought, with the mean as its result: what it would tell, at the hyperparameters and
  *  the variance as they are. @return owned, or NULL */

@@ -11,10 +11,13 @@
 #include "calibrate/chain.h"
 #include "calibrate/surrogate_fit.h"
 
-// The more numbers a chain walks over, the longer it takes.
-#define FEW 3       ///< numbers: so many, and fewer, are walked over in as many steps
-#define WARM_UP 600 ///< steps before the first draw, for FEW numbers
-#define APART 10    ///< steps from one draw to the next, for FEW numbers
+// The more numbers a chain walks over, the more steps lie between draws that are independent. A step takes the third
+// power of the runs: with more than FEW_RUNS there are fewer of them, but LEAST_APART.
+#define FEW 3          ///< numbers: so many, and fewer, are walked over in as many steps
+#define APART 100      ///< steps from one draw to the next, for FEW numbers and FEW_RUNS
+#define LEAST_APART 10 ///< for FEW numbers and however many runs
+#define FEW_RUNS 64
+#define WARM_UP 30 ///< times the steps between draws, before the first
 
 _Static_assert(CLOD_SURROGATE_NUMBERS <= CLOD_CHAIN_MOST, "a chain takes all hyperparameters");
 
@@ -42,10 +45,12 @@ static double log_density(void *context, const double *place, const size_t *choi
     return clod_surrogate_factor(self->surrogate) ? self->surrogate->likelihood : -HUGE_VAL;
 }
 
-/** Steps in proportion to the numbers that are walked over. */
-static size_t steps_for(const cube *self, size_t few)
+/** Steps from one draw to the next. */
+static size_t steps_apart(const cube *self)
 {
     const size_t numbers = self->bounds.count;
+    const double share = FEW_RUNS / fmax(FEW_RUNS, (double)self->surrogate->count);
+    const size_t few = (size_t)fmax(LEAST_APART, APART * share * share);
     return numbers > FEW ? few * numbers / FEW : few;
 }
 
@@ -53,6 +58,7 @@ static size_t steps_for(const cube *self, size_t few)
 static bool walk(const cube *self, const clod_surrogate *from, const clod_surrogate_dice *dice,
                  size_t count, const clod_stop *stop, double *places)
 {
+    const size_t apart = steps_apart(self);
     double numbers[CLOD_SURROGATE_NUMBERS];
     clod_surrogate_get(from, numbers);
     for (size_t k = 0; k < self->bounds.count; k++) {
@@ -61,8 +67,8 @@ static bool walk(const cube *self, const clod_surrogate *from, const clod_surrog
     }
     const clod_chain_setup setup = {.dimensions = self->bounds.count,
                                     .chains = 1,
-                                    .warm_up = steps_for(self, WARM_UP),
-                                    .kept = count * steps_for(self, APART),
+                                    .warm_up = WARM_UP * apart,
+                                    .kept = count * apart,
                                     .start = numbers,
                                     .seed = dice->seed,
                                     .stream = dice->stream,
@@ -91,9 +97,38 @@ static clod_surrogate *draw(const cube *self, const clod_surrogate *from, const 
     return one;
 }
 
+/** Least effective number of the draws of any number. */
+static double effective_of(const cube *self, const double *places, size_t count)
+{
+    const size_t d = self->bounds.count;
+    double least = (double)count;
+    for (size_t k = 0; k < d; k++) {
+        const clod_chain_series series = {places + k, 1, count, steps_apart(self) * d};
+        least = fmin(least, clod_chain_effective(&series));
+    }
+    return least;
+}
+
+/** One uniform number in each of `count` equal parts of (0, 1), the parts in random order. Each is uniform by itself, and
+ *  the tails are met as often as they should be. */
+static void throw_dice(const clod_surrogate_dice *dice, size_t count, double *dies)
+{
+    for (size_t i = 0; i < count; i++) {
+        const double within =
+            clod_random_uniform(dice->seed, CLOD_RANDOM_CALIBRATE, dice->stream + 1, 2 * i);
+        const double order =
+            clod_random_uniform(dice->seed, CLOD_RANDOM_CALIBRATE, dice->stream + 1, 2 * i + 1);
+        const size_t to = (size_t)(order * (double)(i + 1));
+        dies[i] = ((double)i + within) / (double)count;
+        const double swapped = dies[to];
+        dies[to] = dies[i];
+        dies[i] = swapped;
+    }
+}
+
 bool clod_surrogate_draw(const clod_surrogate *self, const clod_surrogate_dice *dice,
                          size_t count, const clod_stop *stop, clod_surrogate **draws,
-                         clod_status *status)
+                         double *effective, clod_status *status)
 {
     cube at = {.surrogate = clod_surrogate_copy(self, status)};
     if (at.surrogate == NULL) {
@@ -101,20 +136,24 @@ bool clod_surrogate_draw(const clod_surrogate *self, const clod_surrogate_dice *
     }
     clod_surrogate_bounds_of(self, &at.bounds);
     const size_t d = at.bounds.count;
-    const size_t step = steps_for(&at, APART);
+    const size_t step = steps_apart(&at);
     double *places = clod_memory_alloc(count * step * d + 1, sizeof *places);
-    bool good =
-        places != NULL || clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
+    double *dies = clod_memory_alloc(count, sizeof *dies);
+    bool good = (places != NULL && dies != NULL) ||
+                clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
     if (good && d > 0 && !walk(&at, self, dice, count, stop, places)) {
         good = clod_stop_fail(status);
     }
+    if (good) {
+        *effective = effective_of(&at, places, count);
+        throw_dice(dice, count, dies);
+    }
     for (size_t i = 0; i < count && good; i++) {
-        const double die =
-            clod_random_uniform(dice->seed, CLOD_RANDOM_CALIBRATE, dice->stream + 1, i);
-        draws[i] = draw(&at, self, d > 0 ? places + i * step * d : NULL, die, status);
+        draws[i] = draw(&at, self, d > 0 ? places + i * step * d : NULL, dies[i], status);
         good = draws[i] != NULL;
     }
     clod_memory_free(places);
+    clod_memory_free(dies);
     clod_surrogate_destroy(&at.surrogate);
     return good;
 }

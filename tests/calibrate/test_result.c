@@ -1,6 +1,9 @@
 /**
- * When a parameter counts as identified: borders of the width, and a surrogate that predicts.
+ * When a parameter counts as identified: borders of the width, and a surrogate that predicts; and when a calibration
+ * warns of few independent draws.
  */
+
+#include <string.h>
 
 #include "calibrate/result.h"
 #include "plan_made.h"
@@ -59,11 +62,52 @@ static void one_used_target_must_follow_the_parameters(void **state)
     assert_false(predicts(0.1, 0.3, false)); // Q2 of noise is below 0
 }
 
+/** Whether a calibration warns of the draws of a target, of which so many are independent. */
+static bool warns_of_draws(double independent, bool held_back)
+{
+    plan_made made;
+    plan_make(&made, 1, 1);
+    made.targets[0].held_back = held_back;
+    clod_posterior_parameter parameter = {.rhat = 1.0, .effective = 1e4};
+    double correlation = 1.0;
+    clod_surrogate *anything = (clod_surrogate *)&made; // only asked whether it is there
+    clod_posterior_target target = {.surrogate = anything, .held_back = held_back};
+    target.independent = independent;
+    clod_posterior posterior = {.dimensions = 1,
+                                .target_count = 1,
+                                .draws = 64,
+                                .targets = &target,
+                                .parameters = &parameter,
+                                .correlation = &correlation,
+                                .p_value = 0.5,
+                                .used = 1};
+    const clod_study study = {.posterior = &posterior};
+    const clod_runs runs = {.plan = &made.plan};
+    clod_result self = {.plan = &made.plan, .study = &study, .runs = &runs};
+    clod_result_warn(&self);
+    for (size_t k = 0; k < self.warnings.count; k++) {
+        if (strstr(self.warnings.text[k], "independent: its share of the intervals") != NULL) {
+            assert_non_null(strstr(self.warnings.text[k], "of the 64 draws"));
+            return true;
+        }
+    }
+    return false;
+}
+
+static void few_independent_draws_are_warned_of(void **state)
+{
+    (void)state;
+    assert_true(warns_of_draws(15.0, false));
+    assert_false(warns_of_draws(17.0, false));
+    assert_false(warns_of_draws(15.0, true)); // the posterior does not rest on it
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(widths_have_their_names),
         cmocka_unit_test(one_used_target_must_follow_the_parameters),
+        cmocka_unit_test(few_independent_draws_are_warned_of),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
