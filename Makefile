@@ -45,7 +45,7 @@ chute: build ## run the small transfer chute, dry and at 8 % moisture, and compa
 		-o run/chutes.png
 	@$(RELEASE)/clod picture run/chute-8 --color clump_size --hide feed --size 1000x1000 -o run/clumps.png
 
-calibrate: build ## calibrate k_adh of the 5 % ore against its laboratory angle (budget 25 minutes; took 23), with ARGS
+calibrate: build ## calibrate k_adh of the 5 % ore against its laboratory angle (budget 25 minutes; took 27), with ARGS
 	$(RELEASE)/clod calibrate cases/calibrate-kadh/plan.yaml -o run/calibrate-kadh $(ARGS)
 
 test: setup-test ## build and run every test and check

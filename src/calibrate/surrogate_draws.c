@@ -97,13 +97,14 @@ static clod_surrogate *draw(const cube *self, const clod_surrogate *from, const 
     return one;
 }
 
-/** Least effective number of the draws of any number. */
+/** Least effective number of any number, by all steps of the chain, of which there are more to tell it by; at most the
+ *  draws. */
 static double effective_of(const cube *self, const double *places, size_t count)
 {
     const size_t d = self->bounds.count;
     double least = (double)count;
     for (size_t k = 0; k < d; k++) {
-        const clod_chain_series series = {places + k, 1, count, steps_apart(self) * d};
+        const clod_chain_series series = {places + k, 1, count * steps_apart(self), d};
         least = fmin(least, clod_chain_effective(&series));
     }
     return least;

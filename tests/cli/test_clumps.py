@@ -259,7 +259,7 @@ class Clumps(clod.Case):
         self.go("one", "-t", "1")
         self.go("two", "-t", "2")
         self.stop_after(15, "cut")
-        self.go("cut", "-t", "1")
+        self.go("cut", "-t", "2")
         self.assertGreater(len([e for e in clod.log(self.path("cut"))
                                 if e["event"] == "resume"]), 0)
         names = ["series.csv", "clumps.csv", "history_map.hdf", "snap_000002.hdf",

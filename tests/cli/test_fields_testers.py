@@ -96,7 +96,7 @@ class FieldsOfTests(clod.Case):
         self.write(SMALL_RING, ring_fields(), PLAIN)
         self.go("one")
         self.go("two", "2")
-        self.stop_after(60, "cut", "preshear.csv", "1")
+        self.stop_after(60, "cut", "preshear.csv")
         self.go("cut")
         for part in ("preshear", "reverse", "point-1", "point-2"):
             whole = clod.read(self.path(f"one/{part}.csv"))

@@ -310,7 +310,7 @@ outlets:""").replace("    profile", "    belt: feed\n    profile"))
         self.go("one")
         self.go("two", "2")
         self.stop_after(5, "cut")
-        self.go("cut")
+        self.go("cut", "2")
         for name in ("series.csv", "gauge_fall-profile.csv", "gauge_fall-trajectory.csv"):
             whole = clod.read(self.path("one/" + name))
             self.assertEqual(whole, clod.read(self.path("two/" + name)), name)

@@ -62,7 +62,7 @@ class GridsOfTests(clod.Case):
         self.go("two", "2")
         self.assert_same_end(self.one, self.path("two"), PARTS)
         for rows, table in ((30, "preshear.csv"), (120, "preshear.csv"), (10, "point-1.csv")):
-            self.stop_after(rows, "cut", table, "1")
+            self.stop_after(rows, "cut", table)
         self.go("cut")
         self.assert_same_end(self.one, self.path("cut"), PARTS)
 
@@ -70,9 +70,9 @@ class GridsOfTests(clod.Case):
     def test_behind_the_last_checkpoint(self):
         """As when a run was killed: what it had written after its checkpoint goes, and comes again."""
         self.write(RING, GRID, PLAIN)
-        self.stop_after(40, "cut", "preshear.csv", "1")
+        self.stop_after(40, "cut", "preshear.csv")
         kept = [(path, clod.read(path)) for path in clod.checkpoints(self.path("cut"), "preshear")]
-        self.stop_after(140, "cut", "preshear.csv", "1")
+        self.stop_after(140, "cut", "preshear.csv")
         for path, content in kept:
             with open(path, "wb") as file:
                 file.write(content)

@@ -222,7 +222,7 @@ class Impacts(clod.Case):
         self.go("one")
         self.go("two", threads="2")
         self.stop_after(12, "cut")
-        self.go("cut")
+        self.go("cut", threads="2")
         self.assertGreater(self.impacts("one")["plate.near"]["number"], 100)
         for other in ("two", "cut"):
             for name in ("impacts.csv", "series.csv"):

@@ -213,7 +213,7 @@ class Planes(clod.Case):
         self.go("two", "2")
         self.assert_same_end(self.path("one"), self.path("two"), ("run",))
         self.stop_after(30, "cut")
-        self.go("cut")
+        self.go("cut", "2")
         self.assertTrue(any(event["event"] == "resume" for event in clod.log(self.path("cut"))))
         for name in ("series.csv", "report.txt"):
             self.assertTrue(os.path.exists(self.path("cut/" + name)))

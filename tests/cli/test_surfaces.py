@@ -231,7 +231,7 @@ class Surfaces(clod.Case):
         self.go("two", threads="2")
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE)
-        self.stop_after(8, "cut", threads="1")
+        self.stop_after(8, "cut")
         self.go("cut")
         for other in ("two", "cut"):
             for name in ("series.csv", "walls_000001.hdf"):

@@ -1,7 +1,7 @@
 """clod under mpirun: the same files as one process writes, whatever the number of ranks.
 
-Skipped where clod was built without MPI. More ranks than processors are as good, but wait with a full processor: of
-two, three take twice as long as two ranks, seven ten times. So most tests here have two;
+Skipped where clod was built without MPI. A rank that waits keeps a processor busy: on two processors three
+ranks take twice as long as two, seven ten times. So most tests here have two;
 test_mpirun_shapes_slow.py goes to 16, and step/test_ranks*.c and sim/test_*ranks*.c do, with ranks that are threads.
 """
 

@@ -11,8 +11,8 @@ import mpirun
 PIECES = os.environ.get("CLOD_PIECES")
 
 
-@unittest.skipUnless(PIECES, "clod was built without MPI")
 @clod.quick_only
+@unittest.skipUnless(PIECES, "clod was built without MPI")
 class Pieces(clod.Case):
 
     def assert_same_on(self, ranks, name):
