@@ -12,8 +12,8 @@
 #define LARGEST_RHAT 1.05 // Gelman et al. (2013) ask for 1.1 at most; many now for 1.01 to 1.05
 #define LEAST_EFFECTIVE                                                                        \
     400 // samples: 100 a chain (Vehtari et al., Bayesian Anal. 16 (2021) 667)
-#define LEAST_INDEPENDENT 16 // draws of a surrogate: deviations are then known to a fifth
-#define TOLD 0.25            // of the range: the targets tell the parameter
+#define LEAST_INDEPENDENT 0.25 // of the draws of a surrogate
+#define TOLD 0.25              // of the range: the targets tell the parameter
 #define WEAKLY_TOLD 0.6
 #define TIED 0.9
 
@@ -106,12 +106,12 @@ static void warn_targets(clod_result *self)
                 of->name, of->measure.factor * of->value, of->measure.factor * one->low,
                 of->measure.factor * one->high, of->measure.unit);
         }
-        if (!of->held_back && !(one->independent >= LEAST_INDEPENDENT)) {
+        if (!of->held_back && one->independent < LEAST_INDEPENDENT * (double)from->draws) {
             clod_warning_list_add(
                 &self->warnings,
                 "%s: of the %zu draws of its surrogate's lengths and noise only some %.0f are "
-                "independent: its share of the intervals is known to a fifth at best. Free fewer "
-                "parameters, or give more points.",
+                "independent: intervals may be too narrow. Free fewer parameters, or hold this "
+                "target back.",
                 of->name, from->draws, one->independent);
         }
         if (one->checked && one->check.q2 < CLOD_POSTERIOR_LEAST_Q2) {

@@ -103,8 +103,8 @@ typedef struct clod_surrogate_dice {
  * flat in their logarithms within the ranges of the search, slopes by their prior, the variance flat in its logarithm.
  *
  * @param draws      [out] [count] owned by the caller, each; NULL behind the first error
- * @param effective  [out] independent draws that would tell the least known mean of a hyperparameter as well; count
- *                   without hyperparameters
+ * @param effective  [out] independent draws that would tell the least known mean of a hyperparameter as well, as far as
+ *                   the chain came about; count without hyperparameters, 0 where the chain never moved
  * Errors  CLOD_FAILED: memory; CLOD_INTERRUPTED.   Threads  safe.
  * Source  Handcock and Stein, Technometrics 35 (1993) 403; Gelman et al., Bayesian Data Analysis (2013), 3.2.
  * Test    tests/calibrate/test_surrogate_draws.c

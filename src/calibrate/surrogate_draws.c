@@ -17,7 +17,8 @@
 #define APART 100      ///< steps from one draw to the next, for FEW numbers and FEW_RUNS
 #define LEAST_APART 10 ///< for FEW numbers and however many runs
 #define FEW_RUNS 64
-#define WARM_UP 30 ///< times the steps between draws, before the first
+#define WARM_UP 30        ///< times the steps between draws, before the first
+#define LEAST_WARM_UP 600 ///< steps, for FEW numbers
 
 _Static_assert(CLOD_SURROGATE_NUMBERS <= CLOD_CHAIN_MOST, "a chain takes all hyperparameters");
 
@@ -45,13 +46,18 @@ static double log_density(void *context, const double *place, const size_t *choi
     return clod_surrogate_factor(self->surrogate) ? self->surrogate->likelihood : -HUGE_VAL;
 }
 
+/** Steps in proportion to the numbers that are walked over. */
+static size_t steps_for(const cube *self, size_t few)
+{
+    const size_t numbers = self->bounds.count;
+    return numbers > FEW ? few * numbers / FEW : few;
+}
+
 /** Steps from one draw to the next. */
 static size_t steps_apart(const cube *self)
 {
-    const size_t numbers = self->bounds.count;
     const double share = FEW_RUNS / fmax(FEW_RUNS, (double)self->surrogate->count);
-    const size_t few = (size_t)fmax(LEAST_APART, APART * share * share);
-    return numbers > FEW ? few * numbers / FEW : few;
+    return steps_for(self, (size_t)fmax(LEAST_APART, APART * share * share));
 }
 
 /** Chain of places from that of greatest likelihood; [count * apart][bounds.count], the draws apart */
@@ -59,6 +65,7 @@ static bool walk(const cube *self, const clod_surrogate *from, const clod_surrog
                  size_t count, const clod_stop *stop, double *places)
 {
     const size_t apart = steps_apart(self);
+    const size_t least = steps_for(self, LEAST_WARM_UP);
     double numbers[CLOD_SURROGATE_NUMBERS];
     clod_surrogate_get(from, numbers);
     for (size_t k = 0; k < self->bounds.count; k++) {
@@ -67,7 +74,8 @@ static bool walk(const cube *self, const clod_surrogate *from, const clod_surrog
     }
     const clod_chain_setup setup = {.dimensions = self->bounds.count,
                                     .chains = 1,
-                                    .warm_up = WARM_UP * apart,
+                                    .warm_up =
+                                        WARM_UP * apart > least ? WARM_UP * apart : least,
                                     .kept = count * apart,
                                     .start = numbers,
                                     .seed = dice->seed,
@@ -97,15 +105,24 @@ static clod_surrogate *draw(const cube *self, const clod_surrogate *from, const 
     return one;
 }
 
-/** Least effective number of any number, by all steps of the chain, of which there are more to tell it by; at most the
- *  draws. */
+/** Least effective number of the draws of any number; 0 where one never moved, NAN without memory. All steps of the chain tell its
+ *  autocorrelation time t, so that r = (t - 1)/(t + 1) is that of one step, if it falls as r^k; of draws m steps apart
+ *  count (1 - r^m)/(1 + r^m). */
 static double effective_of(const cube *self, const double *places, size_t count)
 {
     const size_t d = self->bounds.count;
+    const size_t apart = steps_apart(self);
+    const double steps = (double)(count * apart);
     double least = (double)count;
     for (size_t k = 0; k < d; k++) {
-        const clod_chain_series series = {places + k, 1, count * steps_apart(self), d};
-        least = fmin(least, clod_chain_effective(&series));
+        const clod_chain_series series = {places + k, 1, count * apart, d};
+        const double all = clod_chain_effective(&series);
+        if (!(all > 0.0)) {
+            return all;
+        }
+        const double time = fmax(1.0, steps / all);
+        const double tied = pow((time - 1.0) / (time + 1.0), (double)apart);
+        least = fmin(least, (double)count * (1.0 - tied) / (1.0 + tied));
     }
     return least;
 }
@@ -145,8 +162,10 @@ bool clod_surrogate_draw(const clod_surrogate *self, const clod_surrogate_dice *
     if (good && d > 0 && !walk(&at, self, dice, count, stop, places)) {
         good = clod_stop_fail(status);
     }
+    *effective = good ? effective_of(&at, places, count) : 0.0;
+    good = good && (!isnan(*effective) ||
+                    clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate."));
     if (good) {
-        *effective = effective_of(&at, places, count);
         throw_dice(dice, count, dies);
     }
     for (size_t i = 0; i < count && good; i++) {

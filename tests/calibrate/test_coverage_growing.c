@@ -16,7 +16,7 @@
 #define FACTOR 4.0 ///< so many times as large at the upper end
 #define ERROR 0.25 ///< of the laboratory, deg: small, so that the scatter of packings counts
 
-#define REPEATS 60 ///< docs/theory/calibration.md has them with 400
+#define REPEATS 40 ///< docs/theory/calibration.md has them with 400
 
 /** What came out, of truths near the lower and near the upper end of the range. */
 typedef struct counts {

@@ -162,6 +162,7 @@ static void look_at_four(const clod_surrogate *self, double *numbers)
  *  each with its likelihood as its weight. */
 static void weigh_four(const clod_surrogate_runs *runs, moments *of)
 {
+    double squares = 0.0; // of the weights: so few places may count that they tell nothing
     for (int i = 0; i < PLACES; i++) {
         clod_surrogate_hyper hyper = {.nugget = 1e-6};
         for (uint64_t k = 0; k < FOUR; k++) {
@@ -179,13 +180,17 @@ static void weigh_four(const clod_surrogate_runs *runs, moments *of)
             continue; // not positive definite: no draw is there either
         }
         double numbers[NUMBERS];
+        const double weight = exp(clod_surrogate_likelihood(one));
         look_at_four(one, numbers);
         for (int k = 0; k < NUMBERS; k++) {
-            add(&of[k], numbers[k], numbers[k] * numbers[k],
-                exp(clod_surrogate_likelihood(one)));
+            add(&of[k], numbers[k], numbers[k] * numbers[k], weight);
         }
+        squares += weight * weight;
         clod_surrogate_destroy(&one);
     }
+    const double count = of[0].weight * of[0].weight / squares;
+    print_message("%.0f of the random places count\n", count);
+    assert_true(count > 60.0);
 }
 
 /** As many draws as a calibration has, five times over. Some 100 of the random places count and at least 80 of the draws:
