@@ -105,9 +105,9 @@ static clod_surrogate *draw(const cube *self, const clod_surrogate *from, const 
     return one;
 }
 
-/** Least effective number of the draws of any number; 0 where one never moved, NAN without memory. All steps of the chain tell its
- *  autocorrelation time t, so that r = (t - 1)/(t + 1) is that of one step, if it falls as r^k; of draws m steps apart
- *  count (1 - r^m)/(1 + r^m). */
+/** Least effective number of the draws of any number; 0 where one never moved, NAN without memory. All steps of the
+ *  chain tell its autocorrelation time t, so that r = (t - 1)/(t + 1) is the correlation over one step, if it falls as
+ *  r^k over k; of draws m steps apart count (1 - r^m)/(1 + r^m). */
 static double effective_of(const cube *self, const double *places, size_t count)
 {
     const size_t d = self->bounds.count;
