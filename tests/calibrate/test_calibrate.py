@@ -31,6 +31,9 @@ class Calibrate(bounce.Bounce):
         self.assertEqual(e["identified"], "yes")
         self.assertGreater(found["p_value"], 0.05)
         self.assertIn(f"{e['mean']:.4g}", told)
+        for target in found["targets"]:  # one parameter: the draws of its surrogates are nearly independent
+            self.assertEqual(target["surrogate"]["draws"], 64)
+            self.assertTrue(32 < target["surrogate"]["independent_draws"] <= 64)
         with open(self.path("out/report.txt")) as file:
             self.assertEqual(file.read(), told)
         self.check_rows()
