@@ -1,11 +1,11 @@
 /**
  * Three shear points of few specimens that move together: 90 % intervals hold the truth in so many repeats that 0.9 is
- * not refuted. Asserted is that, were the share 0.9, so few or fewer would hold it in more
- * than one of 1000 such tests: 21 of 30 pass and 20 do not, 29 of 40 pass and 28 do not. So a test sees a share of a
- * half, as it was with three specimens and a correlation of 0.9 when errors were taken as independent and known. It
- * misses one of 0.7 half of the time, and mostly one of 0.8. test_coverage_specimens_slow.c has more of it, and points that do not move together. The width of an ideal interval: the
- * mean of three numbers with noise s of specimens and a correlation r has the error s sqrt((1 + 2 r)/3/n), over the
- * slope 0.35; with runs that tell the function well, 3.29 of them.
+ * not refuted. Asserted is that, were the share 0.9, so few or fewer would hold it in more than one of 1000 such tests:
+ * 21 of 30 pass and 20 do not, 29 of 40 pass and 28 do not. So a test sees a share of a half, as it was with three
+ * specimens and a correlation of 0.9 when errors were taken as independent and known. It misses one of 0.7 half of the
+ * time, and mostly one of 0.8. test_coverage_specimens_slow.c has more of it, and points that do not move together. The
+ * width of an ideal interval: the mean of three numbers with noise s of specimens and a correlation r has the error
+ * s sqrt((1 + 2 r)/3/n), over the slope 0.35; with runs that tell the function well, 3.29 of them.
  */
 
 #include "coverage.h"
