@@ -124,6 +124,25 @@ class Density(unittest.TestCase):
             self.assertEqual(done.returncode, 2)
             self.assertIn("usage: cases/inside-density", done.stderr)
 
+    def test_a_file_that_is_no_snapshot_is_told(self):
+        done = subprocess.run([sys.executable, os.path.join(CASES, "inside-density"), "cone", "24.5", "2500", TRUTH],
+                              text=True, capture_output=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("truth.yaml cannot be read", done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+
+    def test_a_ring_that_is_all_walls_is_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "snap.hdf")
+            with h5py.File(path, "w") as file:
+                data = file.create_group("VTKHDF")
+                data["Points"] = [[0.051, 0.0, 0.0], [0.0, 0.052, 0.1]]
+                data.create_group("PointData")["radius"] = [1e-3, 1e-3]
+            done = subprocess.run([sys.executable, os.path.join(CASES, "inside-density"), "ring", "50", "56", "2500", path],
+                                  text=True, capture_output=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("nothing of its bed is 3.0 mm from all walls", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
