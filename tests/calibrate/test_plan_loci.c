@@ -39,6 +39,8 @@ static void load_beside(void **state, const char *number)
     char text[512];
     snprintf(text, sizeof text, BESIDE("", "%s"), number);
     lab_load_good(state, RING, text, &plan);
+    assert_int_equal(plan.target_count, 4); // three points of the table, and the number
+    assert_true(plan.targets[3].held_back);
     clod_plan_fini(&plan);
 }
 
