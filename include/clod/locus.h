@@ -32,6 +32,7 @@ typedef struct clod_locus_point {
     double tau_p_error; ///< standard error of tau_p; once for the points of one preshear
     double tau_s_error; ///< standard error of tau_s
     double rho_b_error; ///< standard error of rho_b
+    double rho_inside;  ///< the same away from the walls of the cell [kg/m3]; 0 = not known
     size_t row;         ///< line of the file that it was read from; 0 = none
 } clod_locus_point;
 
@@ -83,6 +84,7 @@ typedef struct clod_locus {
     clod_locus_value sigma_c;        ///< unconfined yield strength; NAN when c < 0
     clod_locus_value ffc;            ///< sigma_1/sigma_c; INFINITY when c = 0, NAN when c < 0
     clod_locus_value rho_b;          ///< bulk density [kg/m3]
+    clod_locus_value rho_inside;     ///< the same away from the walls of the cell [kg/m3]
     double r_squared;                ///< of the line; the smallest of the seeds
     bool parallel;                   ///< sigma_1 by the parallel line: preshear above the locus
     const char *flow;                ///< Jenike's class in words; static

@@ -35,6 +35,7 @@ typedef enum clod_field_index {
     CLOD_FIELD_SIGMA_C,
     CLOD_FIELD_FFC,
     CLOD_FIELD_RHO_B,
+    CLOD_FIELD_RHO_INSIDE,
     CLOD_FIELD_COUNT,
 } clod_field_index;
 

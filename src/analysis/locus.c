@@ -67,7 +67,8 @@ static bool check_point(const clod_locus_point *p, size_t number, clod_status *s
                   {"bulk density", p->rho_b, false},
                   {"error of the preshear shear stress", p->tau_p_error, false},
                   {"error of the peak shear stress", p->tau_s_error, false},
-                  {"error of the bulk density", p->rho_b_error, false}};
+                  {"error of the bulk density", p->rho_b_error, false},
+                  {"bulk density inside", p->rho_inside, false}};
     for (size_t i = 0; i < sizeof VALUES / sizeof VALUES[0]; i++) {
         const double value = VALUES[i].value;
         if (!isfinite(value) || value < 0.0 || (VALUES[i].positive && value == 0.0)) {
@@ -114,7 +115,20 @@ static bool check_points(const clod_locus_point *points, size_t count, clod_stat
                count, points[0].sigma_s / 1000.0, unit);
 }
 
-/** Normal stress of preshear over the points; bulk density over the preshears that tell it. */
+/** Bulk density away from the walls, over the preshears that tell it. */
+static clod_locus_value mean_inside(const clod_locus_point *points, const size_t *first,
+                                    size_t count, double *scratch)
+{
+    size_t known = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (first[i] == i && points[i].rho_inside > 0.0) {
+            scratch[known++] = points[i].rho_inside;
+        }
+    }
+    return clod_mean_of(scratch, known, 0.0);
+}
+
+/** Normal stress of preshear over the points; bulk densities over the preshears that tell them. */
 static void fill_means(clod_locus *self, const clod_locus_point *points, const size_t *first,
                        size_t count, double *scratch)
 {
@@ -131,6 +145,7 @@ static void fill_means(clod_locus *self, const clod_locus_point *points, const s
         }
     }
     self->rho_b = clod_mean_of(scratch, known, stated);
+    self->rho_inside = mean_inside(points, first, count, scratch);
     self->preshear_count = 0;
     for (size_t i = 0; i < count; i++) {
         self->preshear_count += first[i] == i ? 1 : 0;

@@ -12,7 +12,7 @@
 #include "clod/locus.h"
 #include "config/unit.h"
 
-enum { SEED, SIGMA_PRE, TAU_PRE, SIGMA_SH, TAU_SH, COLUMN_COUNT = 9 };
+enum { SEED, SIGMA_PRE, TAU_PRE, SIGMA_SH, TAU_SH, COLUMN_COUNT = 10 };
 
 #define POINT(field) .offset = offsetof(clod_locus_point, field)
 
@@ -35,6 +35,7 @@ static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
     {.names = {"tau_pre_error"}, .unit = "Pa", POINT(tau_p_error)},
     {.names = {"tau_sh_error"}, .unit = "Pa", POINT(tau_s_error)},
     {.names = {"rho_b_error"}, .unit = "kg/m3", POINT(rho_b_error)},
+    {.names = {"rho_inside"}, .unit = "kg/m3", .positive = true, POINT(rho_inside)},
 };
 
 /** The option of `clod locus`, which alone has defaults, for a column's value in all rows. */
@@ -85,7 +86,8 @@ static const clod_csv_kind POINTS = {
     .row = sizeof(clod_locus_point),
     .known =
         "sigma_sh (or sigma_s, sigma), tau_sh (or tau_s, tau), sigma_pre (or sigma_p), "
-        "tau_pre (or tau_p), seed, rho_b (or rho), tau_pre_error, tau_sh_error, rho_b_error",
+        "tau_pre (or tau_p), seed, rho_b (or rho), tau_pre_error, tau_sh_error, rho_b_error, "
+        "rho_inside",
     .example = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]",
     .item = "shear point",
     .line = &LINE,

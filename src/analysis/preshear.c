@@ -12,7 +12,7 @@ static bool same_test(const clod_locus_point *a, const clod_locus_point *b)
 static bool same_result(const clod_locus_point *a, const clod_locus_point *b)
 {
     return a->tau_p == b->tau_p && a->tau_p_error == b->tau_p_error && a->rho_b == b->rho_b &&
-           a->rho_b_error == b->rho_b_error;
+           a->rho_b_error == b->rho_b_error && a->rho_inside == b->rho_inside;
 }
 
 void clod_preshear_find(const clod_locus_point *points, size_t count, size_t *first)

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "analysis/fields.h"
 #include "analysis/prose.h"
@@ -47,7 +48,9 @@ static void put_field(FILE *out, const clod_locus *locus, clod_field_index index
     const clod_locus_value value = clod_field_get(locus, index);
     const format *how = &FORMATS[field->kind];
     const bool known = index != CLOD_FIELD_RHO_B;
-    fprintf(out, "  %-32s %-8s", field->text, index == CLOD_FIELD_FFC ? "ffc" : field->key);
+    const char *key = index == CLOD_FIELD_FFC ? "ffc" : field->key;
+    const int width = (int)fmax((double)strlen(key), 8.0);
+    fprintf(out, "  %-*s %-*s", 40 - width, field->text, width, key);
     put_number(out, how, 10, value.value, known ? "undefined" : "not given");
     fputs(" ± ", out);
     put_number(out, how, 8, value.error, "-");
@@ -103,7 +106,9 @@ static void put_locus(FILE *out, const clod_locus *locus)
             locus->point_count);
     fprintf(out, locus->seed_count > 1 ? ", %zu seeds\n\n" : "\n\n", locus->seed_count);
     for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
-        put_field(out, locus, k);
+        if (k != CLOD_FIELD_RHO_INSIDE || !isnan(locus->rho_inside.value)) {
+            put_field(out, locus, k); // no laboratory knows that one
+        }
     }
     fprintf(out, "  %-32s %-8s%10s\n", "flow (Jenike)", "", locus->flow);
     fprintf(out, "  %-32s %-8s%10.4f\n\n",

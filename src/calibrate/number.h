@@ -35,8 +35,8 @@ typedef struct clod_number {
 #define CLOD_NUMBER_RATIO "1", {"", 1.0, 2}, 0.0, 1000.0
 
 // Numbers of each kind of test: number_shear.c, number_summary.c, number_path.c.
-#define CLOD_NUMBERS_SHEAR_COUNT 11
-#define CLOD_NUMBERS_UNIAXIAL_COUNT 3
+#define CLOD_NUMBERS_SHEAR_COUNT 12
+#define CLOD_NUMBERS_UNIAXIAL_COUNT 4
 #define CLOD_NUMBERS_WALL_COUNT 4
 #define CLOD_NUMBERS_PATH_ONE(ending, si, shown, factor) +1
 #define CLOD_NUMBERS_PATH_COUNT (1 CLOD_UNIT_ENDINGS(CLOD_NUMBERS_PATH_ONE))

@@ -25,6 +25,7 @@ const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT] = {
     {"sigma_c", CLOD_NUMBER_STRESS, false, NULL, NULL},
     {"ffc", CLOD_NUMBER_RATIO, false, NULL, NULL},
     {"rho_b", CLOD_NUMBER_DENSITY, false, NULL, NULL},
+    {"rho_inside", CLOD_NUMBER_DENSITY, false, NULL, NULL},
 };
 
 static double of_locus(const clod_locus *locus, const clod_plan_target *target)

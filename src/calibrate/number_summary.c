@@ -47,6 +47,7 @@ const clod_number CLOD_NUMBERS_UNIAXIAL[CLOD_NUMBERS_UNIAXIAL_COUNT] = {
     {"sigma_c", CLOD_NUMBER_STRESS, true, "sigma_c_Pa", of_flow_function},
     {"ffc", CLOD_NUMBER_RATIO, true, "ffc", of_flow_function},
     {"rho_b", CLOD_NUMBER_DENSITY, true, "bulk_density_kg_m3", of_flow_function},
+    {"rho_inside", CLOD_NUMBER_DENSITY, true, "inside_density_kg_m3", of_flow_function},
 };
 
 // ---- wall friction tests

@@ -53,8 +53,8 @@ static const clod_param WISH[] = {
     TEXT_ROW(
         W, "number", number, CLOD_PARAM_OPTIONAL, "phi_e",
         "Which of its results: phi_lin, phi_e, phi_sf, c, tau_p, tau, sigma_1, sigma_2, sigma_c, "
-        "ffc, rho_b of a shear test; sigma_c, ffc, rho_b of a uniaxial test; phi_x, phi_w, tau_ad, rho_b "
-        "of a wall friction test; a path in summary.json of a free run, for instance "
+        "ffc, rho_b, rho_inside (away from the walls) of a shear test; sigma_c, ffc, rho_b, rho_inside of a "
+        "uniaxial test; phi_x, phi_w, tau_ad, rho_b of a wall friction test; a path in summary.json of a free run, for instance "
         "repose.heap.angle_deg."),
     TEXT_ROW(
         W, "value", value, CLOD_PARAM_OPTIONAL, "47.3 deg",

@@ -219,23 +219,28 @@ static double solid_density(const clod_plan *self, const clod_plan_test *test)
     return density;
 }
 
+static bool is_density(const clod_plan_target *self, size_t test)
+{
+    return is(self, test, "rho_b") || is(self, test, "rho_inside");
+}
+
 static void check_density(clod_loader *loader, const clod_plan *self)
 {
     for (size_t t = 0; t < self->test_count; t++) {
         double solid = (double)NAN;
         for (size_t k = 0; k < self->target_count; k++) {
             const clod_plan_target *one = &self->targets[k];
-            if (!is(one, t, "rho_b") || clod_test_kinds_of(self->tests[t].middle)->paths) {
+            if (!is_density(one, t) || clod_test_kinds_of(self->tests[t].middle)->paths) {
                 continue;
             }
             solid = isnan(solid) ? solid_density(self, &self->tests[t]) : solid;
             if (one->value > solid) {
                 clod_check_fail(
                     loader, "targets",
-                    "test %s: rho_b %.0f kg/m3 in targets.%zu is above the density of its grains, %.0f "
+                    "test %s: %s %.0f kg/m3 in targets.%zu is above the density of its grains, %.0f "
                     "kg/m3, which no packing of them reaches; the case needs the density of the solid, and "
                     "the target that of the bulk",
-                    self->tests[t].name, one->value, one->entry, solid);
+                    self->tests[t].name, one->number, one->value, one->entry, solid);
             }
         }
     }

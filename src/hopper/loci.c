@@ -10,6 +10,8 @@
 #include "base/memory.h"
 #include "clod/locus.h"
 
+#define LOOSER 0.03 ///< rho_b below that of the core by more than a density is measured to
+
 /** A value with its standard error; what is not known is 0. */
 static void put(clod_curve_point *point, clod_locus_value value)
 {
@@ -25,6 +27,21 @@ static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
         clod_warning_list_add(notes->warnings,
                               "Yield locus at a preshear stress of %.3f kPa: %s",
                               1e-3 * locus->sigma_p.value, locus->warnings[k]);
+    }
+}
+
+/** A cell of a few grains is looser than the same solid in a hopper. */
+static void doubt_density(const clod_locus *locus, clod_tables_notes *notes)
+{
+    const double inside = locus->rho_inside.value; // NAN: not known
+    const double more = inside / locus->rho_b.value - 1.0;
+    if (more > LOOSER) {
+        clod_warning_list_add(
+            notes->warnings,
+            "Yield locus at a preshear stress of %.3f kPa: away from the walls of its cell the bulk "
+            "density is %.0f kg/m3, %.0f %% above its rho_b, %.0f kg/m3, which is used here. A hopper is "
+            "wide, so its outlets come out too wide; give the key bulk_density.",
+            1e-3 * locus->sigma_p.value, inside, 100.0 * more, locus->rho_b.value);
     }
 }
 
@@ -109,7 +126,7 @@ static void join(const clod_locus *locus, clod_loci_row *row)
 }
 
 /** Rows of the loci of a study. */
-static bool rows_of(const clod_locus_study *study, bool brings_phi_e, clod_loci *self,
+static bool rows_of(const clod_locus_study *study, const clod_hopper_case *of, clod_loci *self,
                     clod_tables_notes *notes, clod_status *status)
 {
     clod_loci_row *rows = self->rows = clod_memory_alloc(study->count, sizeof *rows);
@@ -128,12 +145,16 @@ static bool rows_of(const clod_locus_study *study, bool brings_phi_e, clod_loci 
         rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
         join(locus, &rows[g]);
         take_notes(locus, notes);
+        if (!of->rho.present) {
+            doubt_density(locus, notes);
+        }
     }
     if (study->warning[0] != '\0') {
         clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);
     }
     self->count = study->count;
-    return good && (!brings_phi_e || has_phi_e(study, status)) && share(study, self, status);
+    return good && (of->phi_e.present || has_phi_e(study, status)) &&
+           share(study, self, status);
 }
 
 bool clod_loci_find(const char *path, const char *table, char inside[PATH_MAX],
@@ -218,7 +239,7 @@ static bool evaluate(const tests *self, const clod_hopper_case *of, clod_loci *l
     clod_locus_study *study = clod_locus_study_create(self->points, self->point_count, &why);
     if (study == NULL ||
         clod_angles_check(study, self->points, self->sources, self->count, status)) {
-        good = study != NULL && rows_of(study, !of->phi_e.present, loci, notes, &why);
+        good = study != NULL && rows_of(study, of, loci, notes, &why);
         if (!good) { // of several files: the preshear stress says which
             clod_status_fail(status, why.code, "%s%s: %s", of->strength.tests[0].points,
                              self->count > 1 ? " and those after it" : "", why.text);

@@ -68,6 +68,8 @@ static const char *const SKIPPED[] = {"seeds",
                                       "solid_fraction",
                                       "void_ratio",
                                       "strain_at_peak",
+                                      "rho_inside",
+                                      "rho_inside_error",
                                       NULL};
 
 static bool check_flow(const clod_csv *self, const void *of)

@@ -15,7 +15,7 @@
  * of the parts (clod_checkpoint_part), of which a checkpoint knows only name and size. Test
  * tests/output/test_checkpoint_parts.py fails when their structs change and this does not.
  */
-#define CLOD_CHECKPOINT_FORMAT 28
+#define CLOD_CHECKPOINT_FORMAT 29
 #define CLOD_CHECKPOINT_HEAD_BYTES 512 ///< HDF5 looks for its own start at this byte too
 
 /** The text in front of the HDF5 data; every other byte of the file is in its hash. */

@@ -168,6 +168,8 @@ bool clod_compare_tables_uniaxial(FILE *out, const clod_run_files *runs, size_t 
          NULL, false},
         {"bulk_density_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 0, NULL,
          NULL, false},
+        {"inside_density_kg_m3", "bulk density away from walls", "&rho;<sub>inside</sub>",
+         "kg/m&sup3;", 1.0, 0, NULL, "", false},
         {"sigma_c_Pa", "unconfined yield strength", "&sigma;<sub>c</sub>", "kPa", 1e-3, 3,
          "sigma_c_error_Pa", NULL, false},
         {"strain_at_peak", "strain at the peak", "", "%", 100.0, 2, NULL, NULL, false},

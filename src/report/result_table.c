@@ -59,6 +59,16 @@ static void put_cell(FILE *out, const clod_result_of *of, const clod_result_row 
     fputs("</td>", out);
 }
 
+/** Whether a row is worth its place: some have the number, or what is missing is said. */
+static bool has_place(const clod_result_row *row, const clod_result_of *of, size_t count)
+{
+    bool told = row->words || row->missing == NULL || row->missing[0] != '\0';
+    for (size_t s = 0; s < count && !told; s++) {
+        told = isfinite(clod_result_table_number(of[s].from, row->key));
+    }
+    return told;
+}
+
 /** Those of whom it is are columns, as on the page of one run. */
 static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count,
                         const clod_result_of *of, size_t count)
@@ -76,6 +86,9 @@ static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count
     }
     fputs("</tr></thead>\n<tbody>", out);
     for (size_t k = 0; k < row_count; k++) {
+        if (!has_place(&rows[k], of, count)) {
+            continue;
+        }
         fprintf(out, "<tr><th>%s", rows[k].text);
         fprintf(out, rows[k].unit[0] != '\0' ? " [%s]</th>" : "%s</th>", rows[k].unit);
         if (symbols) {
@@ -97,6 +110,9 @@ static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
           "<th>run</th>",
           out);
     for (size_t k = 0; k < row_count; k++) {
+        if (!has_place(&rows[k], of, count)) {
+            continue;
+        }
         const bool symbol = rows[k].symbol[0] != '\0';
         const bool title = symbol && strchr(rows[k].text, '<') == NULL;
         fprintf(out, title ? "<th title=\"%s\">" : "<th>", rows[k].text);
@@ -109,7 +125,9 @@ static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
         fputs(of[s].mean ? "<tr class=\"mean\">" : "<tr>", out);
         clod_html_cell(out, "th", of[s].name);
         for (size_t k = 0; k < row_count; k++) {
-            put_cell(out, &of[s], &rows[k]);
+            if (has_place(&rows[k], of, count)) {
+                put_cell(out, &of[s], &rows[k]);
+            }
         }
         fputs("</tr>\n", out);
     }

@@ -17,7 +17,8 @@ typedef struct clod_result_row {
     double factor;       ///< brings the JSON's number to this unit
     int digits;          ///< behind the point where there is no error
     const char *error;   ///< key of its error, where that stands beside it; NULL: it does not
-    const char *missing; ///< what is said where there is no number; NULL: "undefined"
+    const char *missing; ///< what is said where there is no number; NULL: "undefined";
+                         ///< "": nothing, and no row where nobody has the number
     bool words;          ///< a text, no number
 } clod_result_row;
 

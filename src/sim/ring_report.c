@@ -22,17 +22,18 @@ static clod_locus_point point_of(const clod_part *part)
         .sigma_s = t->shear_stress,
         .tau_s = t->point_shear,
         .rho_b = t->preshear_density,
+        .rho_inside = isfinite(t->preshear_inside) ? t->preshear_inside : 0.0,
         .tau_p_error = isfinite(t->preshear_error) ? t->preshear_error : 0.0,
         .tau_s_error = isfinite(t->point_error) ? t->point_error : 0.0,
     };
 }
 
-/** An error in its cell; one that is not known leaves it empty. */
-static const char *error_cell(double error, char cell[32])
+/** A number in its cell; one that is not known, 0, leaves it empty. */
+static const char *cell_of(double value, char cell[32])
 {
     cell[0] = '\0';
-    if (error > 0.0) {
-        snprintf(cell, 32, "%.9g", error);
+    if (value > 0.0) {
+        snprintf(cell, 32, "%.9g", value);
     }
     return cell;
 }
@@ -47,15 +48,17 @@ static bool write_points(const clod_folder *folder, const clod_locus_point *poin
     }
     int used = snprintf(text, size,
                         "seed,sigma_pre [Pa],tau_pre [Pa],sigma_sh [Pa],tau_sh [Pa],"
-                        "rho_b [kg/m3],tau_pre_error [Pa],tau_sh_error [Pa]\n");
+                        "rho_b [kg/m3],tau_pre_error [Pa],tau_sh_error [Pa],"
+                        "rho_inside [kg/m3]\n");
     for (int p = 0; p < count; p++) {
         char of_p[32];
         char of_s[32];
-        used += snprintf(text + used, size - (size_t)used,
-                         "%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%s,%s\n", (long long)points[p].seed,
-                         points[p].sigma_p, points[p].tau_p, points[p].sigma_s, points[p].tau_s,
-                         points[p].rho_b, error_cell(points[p].tau_p_error, of_p),
-                         error_cell(points[p].tau_s_error, of_s));
+        char inside[32];
+        used += snprintf(
+            text + used, size - (size_t)used, "%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%s,%s,%s\n",
+            (long long)points[p].seed, points[p].sigma_p, points[p].tau_p, points[p].sigma_s,
+            points[p].tau_s, points[p].rho_b, cell_of(points[p].tau_p_error, of_p),
+            cell_of(points[p].tau_s_error, of_s), cell_of(points[p].rho_inside, inside));
     }
     const bool ok = clod_folder_write(folder, "points.csv", text, status);
     clod_memory_free(text);
@@ -96,6 +99,7 @@ static json_t *part_json(const clod_part *part)
     clod_parts_set_number(j, "shear_stress_Pa", point ? t->point_shear : t->preshear_shear);
     if (!point) {
         set_preshear(j, t);
+        clod_parts_set_number(j, "inside_density_kg_m3", t->preshear_inside);
     }
     clod_parts_set_number(j, "displacement_m",
                           point ? t->point_displacement : t->preshear_displacement);

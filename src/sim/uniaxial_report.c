@@ -36,14 +36,19 @@ static bool write_table(const clod_folder *folder, const clod_part *part, int po
     int used = snprintf(text, size,
                         "consolidation_stress [Pa],sigma_1 [Pa],sigma_1_base [Pa],"
                         "rho_b [kg/m3],solid_fraction [1],void_ratio [1],sigma_c [Pa],"
-                        "sigma_c_error [Pa],sigma_c_base [Pa],strain_at_peak [1],ffc [1]\n");
+                        "sigma_c_error [Pa],sigma_c_base [Pa],strain_at_peak [1],ffc [1],"
+                        "rho_inside [kg/m3]\n");
     for (int p = 0; p < points; p++) {
         const clod_uniaxial *t = part[p].test;
+        char inside[24] = ""; // of a mould that is too narrow
+        if (isfinite(t->inside)) {
+            snprintf(inside, sizeof inside, "%.9g", t->inside);
+        }
         used += snprintf(text + used, size - (size_t)used,
-                         "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", t->stress,
-                         t->sigma_1, t->sigma_base, t->density, t->solid_fraction,
+                         "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%s\n",
+                         t->stress, t->sigma_1, t->sigma_base, t->density, t->solid_fraction,
                          void_ratio(t), t->strength, t->strength_error, t->strength_base,
-                         t->peak_strain, flowability(t));
+                         t->peak_strain, flowability(t), inside);
     }
     const bool ok = clod_folder_write(folder, "flow_function.csv", text, status);
     clod_memory_free(text);
@@ -71,6 +76,7 @@ static json_t *point_json(const clod_part *part)
                    {"sigma_1_Pa", t->sigma_1},
                    {"sigma_1_base_Pa", t->sigma_base},
                    {"bulk_density_kg_m3", t->density},
+                   {"inside_density_kg_m3", t->inside},
                    {"solid_fraction", t->solid_fraction},
                    {"void_ratio", void_ratio(t)},
                    {"height_m", t->height},
@@ -118,8 +124,12 @@ static int table_row(const clod_uniaxial *t, char *text, size_t size)
     if (isfinite(flowability(t))) {
         snprintf(ffc, sizeof ffc, "%.2f", flowability(t));
     }
-    return snprintf(text, size, "  %10.3f %10.0f %9.3f %9.3f %10.3f ± %6.3f %9.2f %7s\n",
-                    1e-3 * t->sigma_1, t->density, t->solid_fraction, void_ratio(t),
+    char inside[24] = "-";
+    if (isfinite(t->inside)) {
+        snprintf(inside, sizeof inside, "%.0f", t->inside);
+    }
+    return snprintf(text, size, "  %10.3f %10.0f %7s %9.3f %9.3f %10.3f ± %6.3f %9.2f %7s\n",
+                    1e-3 * t->sigma_1, t->density, inside, t->solid_fraction, void_ratio(t),
                     1e-3 * t->strength, 1e-3 * t->strength_error, 100.0 * t->peak_strain, ffc);
 }
 
@@ -135,14 +145,14 @@ static char *make_text(const clod_job_shared *sim, const clod_part *part, int po
         return NULL;
     }
     int used = clod_parts_headline(part, points + 1, title, "filling", text, size);
-    used +=
-        snprintf(text + used, size - (size_t)used,
-                 "Flow function of %d consolidation%s, stresses of the lid\n\n"
-                 "     sigma_1      rho_b  solid fr.   void r.           sigma_c     strain "
-                 "    ffc\n"
-                 "       [kPa]    [kg/m3]       [1]       [1]             [kPa]        [%%] "
-                 "    [1]\n",
-                 points, points > 1 ? "s" : "");
+    used += snprintf(
+        text + used, size - (size_t)used,
+        "Flow function of %d consolidation%s, stresses of the lid\n\n"
+        "     sigma_1      rho_b  inside  solid fr.   void r.           sigma_c     strain "
+        "    ffc\n"
+        "       [kPa]    [kg/m3] [kg/m3]       [1]       [1]             [kPa]        [%%] "
+        "    [1]\n",
+        points, points > 1 ? "s" : "");
     for (int p = 1; p <= points; p++) {
         used += table_row(part[p].test, text + used, size - (size_t)used);
     }

@@ -95,6 +95,16 @@ static void read(const clod_ring_shear *self, const clod_state *state, double st
         row[CLOD_RING_SHEAR_SHEAR_STRESS] * self->area * row[CLOD_RING_SHEAR_SPEED];
 }
 
+/** In the base ring, and above the shear plane in the shear ring, which has moved. */
+static clod_inside bed(const clod_ring_shear *self, const clod_state *state, double lid)
+{
+    const clod_wall *ring = clod_bed_wall(state, "shear_ring");
+    return (clod_inside){.outer = ring->shapes[0].outer,
+                         .high = lid,
+                         .plane = self->base_height,
+                         .shift = ring->shapes[0].center.x + ring->shift.x};
+}
+
 /** The shear ring is as far behind the base ring as its rim is thick, or farther. */
 static bool is_back(const clod_state *state)
 {
@@ -113,6 +123,7 @@ const clod_shear_tester CLOD_SHEAR_TESTER_JENIKE = {
     .twist = twist,
     .shear_plane = shear_plane,
     .read = read,
+    .bed = bed,
     .is_back = is_back,
     .lid_meets = "it and the base ring",
     .if_no_bed = "Raise jenike.grain_count (or fill_fraction)",

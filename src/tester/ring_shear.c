@@ -191,6 +191,13 @@ static void note_preshear(clod_ring_shear *self, bool steady)
     self->preshear_displacement = self->displacement;
 }
 
+static void note_inside(clod_ring_shear *self, const clod_state *state)
+{
+    const double lid = clod_shear_tester_lid_height(self, state);
+    const clod_inside bed = clod_shear_tester_of(self)->bed(self, state, lid);
+    self->preshear_inside = clod_inside_density(&bed, state);
+}
+
 static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
 {
     set_stress(self, state, self->target_stress);
@@ -209,6 +216,7 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
     }
     self->flags |= steady ? 0 : CLOD_RING_SHEAR_NOT_STEADY;
     note_preshear(self, steady);
+    note_inside(self, state);
     note_hanger(self, state);
     enter(self, state, CLOD_RING_SHEAR_DONE);
 }

@@ -107,6 +107,7 @@ typedef struct clod_ring_shear {
     double preshear_normal, preshear_shear, preshear_error; ///< Pa; see below
     double preshear_rate, preshear_rate_error; ///< Pa/m: of the shear stress at the end
     double preshear_height, preshear_density;
+    double preshear_inside;       ///< kg/m3 away from the walls; NAN: the cell is too narrow
     double preshear_displacement; ///< m
     double preshear_dilation;     ///< change of height per shear displacement, steady blocks
     double point_normal, point_shear, point_error; ///< Pa, at the peak

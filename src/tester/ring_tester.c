@@ -65,6 +65,16 @@ static void read(const clod_ring_shear *self, const clod_state *state, double st
     row[CLOD_RING_SHEAR_POWER] = (trough->sum_power + sides->sum_power) / steps;
 }
 
+/** Between the sides, and the tips of the bars of trough and lid. */
+static clod_inside bed(const clod_ring_shear *self, const clod_state *state, double lid)
+{
+    const clod_shape *side = clod_bed_wall(state, "sides")->shapes;
+    return (clod_inside){.inner = side[0].outer,
+                         .outer = side[1].outer,
+                         .low = self->bar_height,
+                         .high = lid - self->bar_height};
+}
+
 /** A ring can be turned back as far as one likes. */
 static bool is_back(const clod_state *state)
 {
@@ -82,6 +92,7 @@ const clod_shear_tester CLOD_SHEAR_TESTER_RING = {
     .twist = NULL,
     .shear_plane = shear_plane,
     .read = read,
+    .bed = bed,
     .is_back = is_back,
     .lid_meets = "its bars and those of the trough",
     .if_no_bed = "Raise ring_shear.grain_count (or fill_fraction), or lower bar_height",

@@ -6,6 +6,7 @@
  * looked up by the number that the procedure holds; ring_tester.c and jenike.c have the rows.
  */
 
+#include "tester/inside.h"
 #include "tester/ring_shear.h"
 
 typedef struct clod_shear_tester {
@@ -35,6 +36,8 @@ typedef struct clod_shear_tester {
      */
     void (*read)(const clod_ring_shear *self, const clod_state *state, double steps,
                  double *row);
+    /** Where the bed is; `lid` is the height of the lid's plane. */
+    clod_inside (*bed)(const clod_ring_shear *self, const clod_state *state, double lid);
 
     // what limits the path
     /** Whether it is sheared back as far as the cell can be. */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "tester/bed.h"
+#include "tester/inside.h"
 #include "tester/limits.h"
 
 // The operator's hand, as in the ring shear test: none of these numbers is physics, and the
@@ -151,6 +152,13 @@ static void after_lower(clod_uniaxial *self, clod_state *state, const double *ro
     }
 }
 
+static double inside(const clod_uniaxial *self, const clod_state *state)
+{
+    const clod_inside bed = {.outer = clod_bed_wall(state, "mould")->shapes[0].outer,
+                             .high = height_of(self, state)};
+    return clod_inside_density(&bed, state);
+}
+
 static void after_consolidate(clod_uniaxial *self, clod_state *state, const double *row,
                               double in_phase, double interval)
 {
@@ -168,6 +176,7 @@ static void after_consolidate(clod_uniaxial *self, clod_state *state, const doub
     self->sigma_base = row[CLOD_UNIAXIAL_STRESS_BASE];
     self->height = row[CLOD_UNIAXIAL_HEIGHT];
     self->density = row[CLOD_UNIAXIAL_BULK_DENSITY];
+    self->inside = inside(self, state);
     self->solid_fraction = row[CLOD_UNIAXIAL_SOLID_FRACTION];
     clod_wall *lid = clod_bed_wall(state, "lid");
     lid->load = CLOD_LOAD_NONE;

@@ -74,6 +74,7 @@ typedef struct clod_uniaxial {
     // results
     double sigma_1, sigma_base;      ///< Pa, at the end of consolidation: lid, base
     double density, solid_fraction;  ///< kg/m3; 1; at the end of consolidation
+    double inside;                   ///< kg/m3 away from the walls then; NAN: too narrow
     double height;                   ///< m, at the end of consolidation
     double unloaded_height;          ///< m, from which strain counts
     double strength, strength_error; ///< Pa, peak stress of the lid

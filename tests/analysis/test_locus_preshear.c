@@ -155,10 +155,17 @@ static void bulk_density_is_measured_once_per_preshear(void **state)
         bent_points(200.0, points);
         for (size_t i = 0; i < 3; i++) {
             points[i].rho_b = 1500.0 + CASES[k].step * (double)i;
+            points[i].rho_inside = points[i].rho_b + 100.0;
             points[i].rho_b_error = CASES[k].stated;
         }
         assert_true(clod_locus_evaluate(points, 3, &locus, &status));
         assert_near(locus.rho_b.value, 1500.0 + CASES[k].step, 1e-12);
+        assert_near(locus.rho_inside.value, 1600.0 + CASES[k].step, 1e-12);
+        if (CASES[k].step == 0.0) {
+            assert_true(isnan(locus.rho_inside.error)); // nobody states one
+        } else {
+            assert_near(locus.rho_inside.error, CASES[k].expected, 1e-12);
+        }
         if (isnan(CASES[k].expected)) {
             assert_true(isnan(locus.rho_b.error));
         } else {
@@ -195,11 +202,11 @@ static void points_that_differ_in_preshear_had_their_own(void **state)
 {
     (void)state;
     const size_t own[] = {0, 1, 2, 3, 4};
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 5; k++) {
         clod_locus_point points[COUNT];
         points_on_line(2e3, 35.0 * DEG, 10e3, 8.5e3, STRESSES, COUNT, points);
         double *const told[] = {&points[2].tau_p, &points[2].tau_p_error, &points[2].rho_b,
-                                &points[2].rho_b_error};
+                                &points[2].rho_b_error, &points[2].rho_inside};
         *told[k] += 1.0; // the others agree by chance
         expect_first(points, COUNT, own);
     }

@@ -35,10 +35,10 @@ static void all_columns_are_read(void **state)
     const size_t count = parse_good(
         "# ring shear, ore 5 %\n"
         "seed,sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3],"
-        "tau_pre_error [Pa],tau_sh_error [Pa],rho_b_error [g/cm3]\n"
-        "3,54.8,52.1,10.96,18.5,1650,120,150,0.012\n"
+        "tau_pre_error [Pa],tau_sh_error [Pa],rho_b_error [g/cm3],rho_inside [g/cm3]\n"
+        "3,54.8,52.1,10.96,18.5,1650,120,150,0.012,1.7\n"
         "\n"
-        "4, 54.8 ,5.2e1,21.92,27,,,,\n",
+        "4, 54.8 ,5.2e1,21.92,27,,,,,\n",
         &NONE, &points);
     assert_int_equal(count, 2);
     assert_int_equal(points[0].seed, 3);
@@ -50,9 +50,11 @@ static void all_columns_are_read(void **state)
     assert_near(points[0].tau_p_error, 120.0, 1e-15);
     assert_near(points[0].tau_s_error, 150.0, 1e-15);
     assert_near(points[0].rho_b_error, 12.0, 1e-15);
+    assert_near(points[0].rho_inside, 1700.0, 1e-15);
     assert_int_equal(points[1].seed, 4);
     assert_near(points[1].tau_p, 52000.0, 1e-15);
-    assert_true(points[1].rho_b == 0.0 && points[1].tau_s_error == 0.0);
+    assert_true(points[1].rho_b == 0.0 && points[1].rho_inside == 0.0 &&
+                points[1].tau_s_error == 0.0);
     clod_locus_free(points);
 }
 
@@ -141,7 +143,7 @@ static void wrong_headers(void **state)
         "sigma_sh [kPa],tau_sh [kPa],sigma_prae [kPa]\n", &NONE,
         "p.csv:1: there is no column \"sigma_prae\"; did you mean sigma_pre? Known are "
         "sigma_sh (or sigma_s, sigma), tau_sh (or tau_s, tau), sigma_pre (or sigma_p), "
-        "tau_pre (or tau_p), seed, rho_b (or rho), tau_pre_error, tau_sh_error, rho_b_error.");
+        "tau_pre (or tau_p), seed, rho_b (or rho), tau_pre_error, tau_sh_error, rho_b_error, rho_inside.");
     expect_error("sigma_sh [kPa],tau_sh [kPa]\n2,3\n", &NONE,
                  "p.csv:1: the header has no column sigma_pre and no value for all rows was "
                  "given; add the column, or give --sigma-pre.");

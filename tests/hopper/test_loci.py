@@ -87,6 +87,29 @@ class Joint(hopper_case.Case):
         done = self.hopper("case.yaml", code=2)
         self.assertIn("flow.csv:2: no errors have these correlations together", done.stderr)
 
+    def test_a_cell_that_is_looser_than_its_core_is_told(self):
+        """Warned of by each locus, unless the density is given; it changes nothing else."""
+        self.points()
+        self.write("case.yaml", CASE % "shear_tests: [{points: points.csv}]")
+        before = self.found()
+        with open(self.path("points.csv")) as file:
+            head, *rows = file.read().splitlines()
+        for times, told in ((1.02, 0), (1.3, 2)):
+            self.write("points.csv", head + ",rho_inside [kg/m3]\n" + "".join(
+                f"{row},{times * float(row.rsplit(',', 1)[1]):.1f}\n" for row in rows))
+            text = self.told()
+            self.assertEqual(text.count("away from the walls of its cell the bulk density is"), told)
+            self.assertEqual(self.found()["cone"]["outlet_m"]["value"], before["cone"]["outlet_m"]["value"])
+        self.assertIn("at a preshear stress of 3.000 kPa: away from the walls of its cell the bulk density is 1703 "
+                      "kg/m3, 30 % above its rho_b, 1310 kg/m3", text)
+        self.write("case.yaml", CASE % "shear_tests: [{points: points.csv}]" + "bulk_density: {value: 1700 kg/m3}\n")
+        self.assertNotIn("away from the walls", self.told())
+        # a table of clod locus has the column, and rho_b is what counts there
+        self.write("table.csv", clod.run("locus", "points.csv", "--csv", cwd=self.folder).stdout)
+        self.write("case.yaml", CASE % "file: table.csv")
+        self.assertAlmostEqual(self.found()["cone"]["outlet_m"]["value"], before["cone"]["outlet_m"]["value"],
+                               delta=1e-6)
+
 
 if __name__ == "__main__":
     clod.unittest.main()

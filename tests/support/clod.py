@@ -93,11 +93,11 @@ def read(path):
 
 
 def table(path):
-    """A CSV file as a list of rows of numbers by name, units cut off the names."""
+    """A CSV file as a list of rows of numbers by name, units cut off the names; empty cells are nan."""
     with open(path, newline="") as file:
         rows = csv.reader(file)
         names = [name.split(" [")[0] for name in next(rows)]
-        return [dict(zip(names, map(float, row))) for row in rows]
+        return [dict(zip(names, (float(cell or "nan") for cell in row))) for row in rows]
 
 
 def mean(rows, name):

@@ -27,7 +27,7 @@ typedef struct cell {
     clod_case from;
     clod_state state;
     clod_wall wall[3];
-    clod_shape shape[3];
+    clod_shape shape[4];
     cell_grains grains;
     clod_ring_shear test;
     double row[CLOD_RING_SHEAR_COLUMNS];
@@ -62,9 +62,12 @@ static inline int make_cell(void **context)
         now.wall[w].shapes = &now.shape[w];
         now.wall[w].shape_count = 1;
     }
+    now.wall[1].shape_count = 2;
+    now.wall[2].shapes = &now.shape[3];
     now.shape[0] = (clod_shape){.kind = CLOD_SHAPE_BAR, .half = {0.02, 0.001, 0.003}};
-    now.shape[1].kind = CLOD_SHAPE_CYLINDER;
-    now.shape[2] = (clod_shape){.kind = CLOD_SHAPE_ANNULUS, .center = {0.0, 0.0, LID_START}};
+    now.shape[1] = (clod_shape){.kind = CLOD_SHAPE_CYLINDER, .outer = 0.05};
+    now.shape[2] = (clod_shape){.kind = CLOD_SHAPE_CYLINDER, .outer = 0.1};
+    now.shape[3] = (clod_shape){.kind = CLOD_SHAPE_ANNULUS, .center = {0.0, 0.0, LID_START}};
     now.wall[2].load = CLOD_LOAD_STRESS;
     // the lid comes to 0.045 with tips at 0.039
     cell_state_make(&now.state, &now.grains, 0.036, GRAIN_MASS, now.wall, 3, DT);
