@@ -18,8 +18,8 @@ typedef struct clod_inside {
 } clod_inside;
 
 /**
- * Mass of the grains whose centres are CLOD_INSIDE_APART mean diameters and more from what holds the bed, over the
- * volume of that room.
+ * Mass of grains, and of parts of grains, in the room that is CLOD_INSIDE_APART mean diameters and more from what
+ * holds the bed, over its volume.
  *
  * @return  kg/m3; NAN where a mean diameter is not left across it or along it, or no grain is in it
  * Errors  none.   Threads  pure.

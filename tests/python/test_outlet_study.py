@@ -103,7 +103,7 @@ class Density(unittest.TestCase):
 
     def test_a_ring(self):
         """Nothing beside the walls, within a diameter: it must not count."""
-        found = self.tell("ring", lambda x, y, z: (np.hypot(x, y) > 52) & (np.hypot(x, y) < 88) & (z < 60), 50, 90, 2500)
+        found = self.tell("ring", lambda x, y, z: (np.hypot(x, y) > 52) & (np.hypot(x, y) < 88) & (z < 60), 50, 90, 4, 2500)
         self.assertAlmostEqual(found[0] / 1309, 1, delta=0.01)
 
     def test_a_cone_and_a_slot(self):
@@ -119,7 +119,7 @@ class Density(unittest.TestCase):
             self.assertAlmostEqual(layer / 1309, 1, delta=0.06)  # a few grains across
 
     def test_wrong_words_are_told(self):
-        for words in ([], ["sphere", "1", "2", "x"], ["cone", "24", "2500"], ["ring", "50", "nan", "2500", "x"]):
+        for words in ([], ["sphere", "1", "2", "x"], ["cone", "24", "2500"], ["ring", "50", "nan", "4", "2500", "x"]):
             done = subprocess.run([sys.executable, os.path.join(CASES, "inside-density"), *words], text=True, capture_output=True)
             self.assertEqual(done.returncode, 2)
             self.assertIn("usage: cases/inside-density", done.stderr)
@@ -138,7 +138,7 @@ class Density(unittest.TestCase):
                 data = file.create_group("VTKHDF")
                 data["Points"] = [[0.051, 0.0, 0.0], [0.0, 0.052, 0.1]]
                 data.create_group("PointData")["radius"] = [1e-3, 1e-3]
-            done = subprocess.run([sys.executable, os.path.join(CASES, "inside-density"), "ring", "50", "56", "2500", path],
+            done = subprocess.run([sys.executable, os.path.join(CASES, "inside-density"), "ring", "50", "56", "4", "2500", path],
                                   text=True, capture_output=True)
         self.assertEqual(done.returncode, 2)
         self.assertIn("nothing of its bed is 3.0 mm from all walls", done.stderr)

@@ -9,6 +9,7 @@
 
 #define RADIUS 0.001
 #define APART (CLOD_INSIDE_APART * 2.0 * RADIUS) ///< 3 mm
+#define SKIN (APART - RADIUS)                    ///< of centres
 #define MASS 1e-5
 #define MOST 200000
 
@@ -59,29 +60,42 @@ static void check(const clod_inside *bed, double density, double within)
 static void a_loose_skin_does_not_count(void **context)
 {
     (void)context;
-    const clod_inside bed = {.inner = 0.05, .outer = 0.1, .low = 0.004, .high = 0.044};
+    const clod_inside bed = {.inner = 0.05, .outer = 0.1, .low = 0.004, .high = 0.045};
     const double cell = 0.0025;
     fill(bed.inner + APART, bed.outer - APART, bed.low + APART, bed.high - APART, 0.0, cell);
     const double dense = MASS / (cell * cell * cell);
-    // layers at half a cell: 14 of 2.5 mm in 34 mm
-    check(&bed, dense * 14.0 * cell / 0.034, 0.01);
+    // 14 layers of 2.5 mm in 35 mm; the edge of a circle cuts a lattice by 1 %
+    check(&bed, dense, 0.01);
     const double all = MASS * (double)state.grains.count /
-                       (3.14159265358979 * (0.1 * 0.1 - 0.05 * 0.05) * 0.04);
+                       (3.14159265358979 * (0.1 * 0.1 - 0.05 * 0.05) * 0.041);
     assert_true(all < 0.8 * dense);
 }
 
-/** Grains packed into the skin alone weigh nothing inside. */
+/** Grains packed into the skin alone, which they do not leave, weigh nothing inside. */
 static void a_dense_skin_does_not_count(void **context)
 {
     (void)context;
     const clod_inside bed = {.inner = 0.05, .outer = 0.1, .low = 0.0, .high = 0.05};
     fill(0.05, 0.1, 0.0, 0.05, 0.0, 0.0025);
     const double before = clod_inside_density(&bed, &state);
-    fill(0.05, 0.05 + APART, 0.0, 0.05, 0.0, 0.0021);
-    fill(0.1 - APART, 0.1, 0.0, 0.05, 0.0, 0.0021);
-    fill(0.05, 0.1, 0.0, APART, 0.0, 0.0021);
-    fill(0.05, 0.1, 0.05 - APART, 0.05, 0.0, 0.0021);
+    fill(0.05, 0.05 + SKIN, 0.0, 0.05, 0.0, 0.0021);
+    fill(0.1 - SKIN, 0.1, 0.0, 0.05, 0.0, 0.0021);
+    fill(0.05, 0.1, 0.0, SKIN, 0.0, 0.0021);
+    fill(0.05, 0.1, 0.05 - SKIN, 0.05, 0.0, 0.0021);
     check(&bed, before, 1e-12);
+}
+
+/** One grain on the edge of the room: half of it, and then a cap. */
+static void grains_count_by_their_share(void **context)
+{
+    (void)context;
+    const clod_inside bed = {.outer = 0.1, .low = 0.0, .high = 0.02};
+    const double room = 3.14159265358979 * (0.1 - APART) * (0.1 - APART) * (0.02 - 2.0 * APART);
+    add(0.0, 0.0, APART);
+    check(&bed, 0.5 * MASS / room, 1e-12);
+    // cap of height h = 0.6 R: pi h^2 (3 R - h)/3 over 4 pi R^3/3 = 0.216
+    place[0][2] = APART - 0.4 * RADIUS;
+    check(&bed, 0.216 * MASS / room, 0.03);
 }
 
 /** Grains at random everywhere, which know of no wall: inside is as dense as the whole. */
@@ -108,13 +122,12 @@ static void a_moved_ring_takes_its_room_along(void **context)
 {
     (void)context;
     clod_inside bed = {.outer = 0.03, .high = 0.04, .plane = 0.02, .shift = 0.008};
-    // layers at odd numbers of mm and a half: 17 of 2 mm in the 34 mm of the room
+    // 17 layers of 2 mm in the 34 mm of the room, whatever their places
     fill(0.0, 0.03, 0.0005, 0.0205, 0.0, 0.002);
     fill(0.0, 0.03, 0.0205, 0.0405, 0.008, 0.002);
     const double dense = MASS / (0.002 * 0.002 * 0.002);
     check(&bed, dense, 0.01);
-    bed.shift =
-        0.0; // looked for where it was before: 27 mm of radius reach 5 mm behind the ring
+    bed.shift = 0.0; // where it was before: 27 mm of radius reach 5 mm behind the ring
     assert_true(clod_inside_density(&bed, &state) < 0.97 * dense);
 }
 
@@ -141,6 +154,7 @@ int main(void)
         T(a_bed_without_a_skin_is_as_dense_inside),
         T(a_moved_ring_takes_its_room_along),
         T(a_narrow_bed_has_no_inside),
+        T(grains_count_by_their_share),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
