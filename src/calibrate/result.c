@@ -106,13 +106,17 @@ static void warn_targets(clod_result *self)
                 of->name, of->measure.factor * of->value, of->measure.factor * one->low,
                 of->measure.factor * one->high, of->measure.unit);
         }
-        if (!of->held_back && one->independent < LEAST_INDEPENDENT * (double)from->draws) {
+        if (one->independent < LEAST_INDEPENDENT * (double)from->draws) {
             clod_warning_list_add(
                 &self->warnings,
                 "%s: of the %zu draws of its surrogate's lengths and noise only some %.0f are "
-                "independent: intervals may be too narrow. Free fewer parameters, or hold this "
-                "target back.",
-                of->name, from->draws, one->independent);
+                "independent: %s.",
+                of->name, from->draws, one->independent,
+                of->held_back
+                    ? "its predicted interval may be too narrow, and it may be missed for that "
+                      "reason alone. Free fewer parameters"
+                    : "intervals may be too narrow. Free fewer parameters, or hold this target "
+                      "back");
         }
         if (one->checked && one->check.q2 < CLOD_POSTERIOR_LEAST_Q2) {
             clod_warning_list_add(

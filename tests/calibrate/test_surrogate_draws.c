@@ -233,6 +233,53 @@ static void few_draws_of_four_parameters_have_the_moments(void **state)
     clod_surrogate_destroy(&self);
 }
 
+/** Means over 64 draws of 24 streams scatter as those of as many independent draws as are told: the mean told is 64 over
+ *  the largest variance of means in units of a draw's variance over 64. A variance of 24 is known to 0.3, the largest of
+ *  nine is some 0.4 above its expectation, and a stream tells its own number to a third: a factor of two is allowed. */
+static void independent_draws_tell_how_far_means_scatter(void **state)
+{
+    (void)state;
+    enum { MANY = 24, EACH = 64 };
+    const clod_surrogate_runs runs = four();
+    clod_status status = {CLOD_OK, ""};
+    clod_surrogate *self = clod_surrogate_create(&runs, CLOD_SURROGATE_GAUSSIAN, &status);
+    assert_non_null(self);
+    moments means[NUMBERS + 1] = {{0.0, 0.0, 0.0}};
+    moments all[NUMBERS + 1] = {{0.0, 0.0, 0.0}};
+    double told = 0.0;
+    for (uint64_t stream = 0; stream < MANY; stream++) {
+        const clod_surrogate_dice dice = {2, 5000 + 2 * stream};
+        double effective;
+        moments here[NUMBERS + 1] = {{0.0, 0.0, 0.0}};
+        assert_true(clod_surrogate_draw(self, &dice, EACH, NULL, draws, &effective, &status));
+        told += effective / MANY;
+        for (int i = 0; i < EACH; i++) {
+            double numbers[NUMBERS + 1];
+            look_at_four(draws[i], numbers);
+            const double middle[FOUR] = {0.5, 0.5, 0.5, 0.5};
+            numbers[NUMBERS] = 2.0 * log(clod_surrogate_noise(draws[i], middle));
+            for (int k = 0; k <= NUMBERS; k++) {
+                add(&here[k], numbers[k], numbers[k] * numbers[k], 1.0);
+                add(&all[k], numbers[k], numbers[k] * numbers[k], 1.0);
+            }
+            clod_surrogate_destroy(&draws[i]);
+        }
+        for (int k = 0; k <= NUMBERS; k++) {
+            add(&means[k], here[k].mean, here[k].mean * here[k].mean, 1.0);
+        }
+    }
+    double largest = 0.0;
+    for (int k = 0; k <= NUMBERS; k++) {
+        const double ratio = deviation(&means[k]) / deviation(&all[k]);
+        largest = fmax(largest, ratio * ratio * EACH * MANY / (MANY - 1.0));
+    }
+    print_message("told %.1f independent draws of %d, means scatter as those of %.1f\n", told,
+                  EACH, EACH / largest);
+    assert_true(told < 0.9 * EACH); // else nothing is asked
+    assert_true(told * largest / EACH > 0.5 && told * largest / EACH < 2.0);
+    clod_surrogate_destroy(&self);
+}
+
 /** Four runs and a line leave two degrees, too few for slopes: what a line does not know is Student's t. The middle of
  *  s^2 f/v over draws is the median of chi-square of two degrees, 2 log 2; its share below it scatters by 0.013. */
 static void the_variance_of_a_line_is_drawn(void **state)
@@ -321,6 +368,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(draws_have_the_moments_of_the_likelihood),
         cmocka_unit_test(few_draws_of_four_parameters_have_the_moments),
+        cmocka_unit_test(independent_draws_tell_how_far_means_scatter),
         cmocka_unit_test(the_variance_of_a_line_is_drawn),
         cmocka_unit_test(the_variance_is_drawn_evenly),
         cmocka_unit_test(draws_follow_their_dice),
