@@ -47,11 +47,24 @@ class Study(unittest.TestCase):
                                 (["--critical", "44", "--cone", "--periods", "4"], "a cone has none"),
                                 (["--critical", "44", "--height", "60"], "--height 60"),
                                 (["--critical", "98", "--cone", "--height", "nan"], "--height nan"),
-                                (["--critical", "98", "--cone", "--height", "198"], "at most 197.5 mm")):
+                                (["--critical", "98", "--cone", "--height", "198"], "at most 197.5 mm"),
+                                (["--critical", "44", "--card", "none.yaml"], "none.yaml: there is no such file")):
             done = self.call(*arguments)
             self.assertEqual(done.returncode, 2, arguments)
             self.assertIn(text, done.stderr)
         self.assertFalse(os.path.exists(os.path.join(self.folder.name, "asked")))
+
+    def test_a_folder_is_of_one_outlet_and_one_card(self):
+        self.assertEqual(self.call("--critical", "43.5").returncode, 0)
+        self.assertEqual(self.call("--critical", "43.5").returncode, 0)  # goes on
+        self.assertEqual(self.call("--critical", "98.1", "--cone").returncode, 0)  # beside it
+        other = os.path.join(self.folder.name, "other.yaml")
+        with open(TRUTH) as file, open(other, "w") as copy:
+            copy.write(file.read() + "# another\n")
+        for words in (["--critical", "43.6"], ["--critical", "43.5", "--card", other]):
+            done = self.call(*words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("its runs are of another critical width or card", done.stderr)
 
     def test_runs_of_each_shape(self):
         for arguments, count in ((["--critical", "43.5"], 15), (["--critical", "43.5", "--periods", "4"], 9),
