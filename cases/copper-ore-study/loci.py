@@ -41,14 +41,15 @@ def evaluated(clod, folder, text):
 
 def of_tests(clod, folder, names):
     """One locus over the points of one or several tests; None when one has not ended."""
-    lines = []
+    rows = []
     for name in names:
         if not has_ended(folder, name):
             return None
-        with open(os.path.join(folder, name, "points.csv")) as file:
-            text = file.read().splitlines()
-        lines += text if not lines else text[1:]
-    return evaluated(clod, folder, "\n".join(lines) + "\n")
+        with open(os.path.join(folder, name, "points.csv"), newline="") as file:
+            rows += csv.DictReader(file)
+    columns = list(dict.fromkeys(name for row in rows for name in row))  # programs of before 2026-11-28 have no rho_inside
+    lines = [columns, *([row.get(name, "") for name in columns] for row in rows)]
+    return evaluated(clod, folder, "".join(",".join(line) + "\n" for line in lines))
 
 
 def peaks(folder, name):

@@ -19,7 +19,7 @@ extern "C" {
 
 /**
  * One shear point with its preshear. Stresses in Pa; errors: 0 = not stated. Points of one seed
- * and sigma_p that all tell the same tau_p, rho_b and errors of both stem from one preshear;
+ * and sigma_p that all tell the same tau_p, rho_b and errors of both (and rho_inside, where told) stem from one preshear;
  * otherwise each has its own (docs/theory/yield-locus.md).
  */
 typedef struct clod_locus_point {
@@ -32,7 +32,7 @@ typedef struct clod_locus_point {
     double tau_p_error; ///< standard error of tau_p; once for the points of one preshear
     double tau_s_error; ///< standard error of tau_s
     double rho_b_error; ///< standard error of rho_b
-    double rho_inside;  ///< the same away from the walls of the cell [kg/m3]; 0 = not known
+    double rho_inside;  ///< bulk density away from the walls of the cell [kg/m3]; 0 = not known
     size_t row;         ///< line of the file that it was read from; 0 = none
 } clod_locus_point;
 
@@ -84,12 +84,13 @@ typedef struct clod_locus {
     clod_locus_value sigma_c;        ///< unconfined yield strength; NAN when c < 0
     clod_locus_value ffc;            ///< sigma_1/sigma_c; INFINITY when c = 0, NAN when c < 0
     clod_locus_value rho_b;          ///< bulk density [kg/m3]
-    clod_locus_value rho_inside;     ///< the same away from the walls of the cell [kg/m3]
-    double r_squared;                ///< of the line; the smallest of the seeds
-    bool parallel;                   ///< sigma_1 by the parallel line: preshear above the locus
-    const char *flow;                ///< Jenike's class in words; static
-    clod_locus_circle steady;        ///< through sigma_1 and sigma_2
-    clod_locus_circle unconfined;    ///< through sigma_c and the origin
+    clod_locus_value rho_inside;  ///< bulk density away from the walls of the cell [kg/m3]; of
+                                  ///< several seeds the mean of those that tell it
+    double r_squared;             ///< of the line; the smallest of the seeds
+    bool parallel;                ///< sigma_1 by the parallel line: preshear above the locus
+    const char *flow;             ///< Jenike's class in words; static
+    clod_locus_circle steady;     ///< through sigma_1 and sigma_2
+    clod_locus_circle unconfined; ///< through sigma_c and the origin
     clod_locus_errors errors;
     double correlation
         [CLOD_LOCUS_PAIRS]; ///< of the errors of each pair, of one test; NAN: not known
@@ -178,7 +179,7 @@ typedef struct clod_locus_defaults {
  * Read shear points from a CSV file with units in its header.
  *
  * @param path      the file, "-" for standard input: columns sigma_sh, tau_sh and, optional,
- *                  seed, sigma_pre, tau_pre, rho_b, tau_pre_error, tau_sh_error, rho_b_error,
+ *                  seed, sigma_pre, tau_pre, rho_b, tau_pre_error, tau_sh_error, rho_b_error, rho_inside,
  *                  in any order
  * @param defaults  preshear of rows without; NULL = none
  * @param points    [out] owned (clod_locus_free)

@@ -32,7 +32,7 @@ class Results:
         """Columns of a CSV file by their names; (columns, units).
 
         Should names come again (tables of clod before surfaces had names of their own do), the
-        second column is called "NAME (2)".
+        second column is called "NAME (2)". Empty cells of numbers are nan.
         """
         with open(os.path.join(self.folder, name + ".csv"), newline="") as file:
             rows = list(csv.reader(file))
@@ -46,7 +46,7 @@ class Results:
                 key = f"{name} ({again})"
             values = [row[index] for row in rows[1:]]
             try:
-                columns[key] = numpy.array(values, float)
+                columns[key] = numpy.array([value or "nan" for value in values], float)
             except ValueError:
                 columns[key] = numpy.array(values)
             units[key] = unit

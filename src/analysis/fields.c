@@ -19,7 +19,7 @@ const clod_field CLOD_FIELDS[CLOD_FIELD_COUNT] = {
     FIELD(sigma_c, CLOD_FIELD_STRESS, "unconfined yield strength"),
     FIELD(ffc, CLOD_FIELD_NUMBER, "flowability sigma_1/sigma_c"),
     FIELD(rho_b, CLOD_FIELD_DENSITY, "bulk density"),
-    FIELD(rho_inside, CLOD_FIELD_DENSITY, "away from the cell's walls"),
+    FIELD(rho_inside, CLOD_FIELD_DENSITY, "bulk density away from walls"),
 };
 
 const clod_field_pair CLOD_FIELD_PAIRS[CLOD_LOCUS_PAIRS] = {

@@ -68,7 +68,7 @@ static bool check_point(const clod_locus_point *p, size_t number, clod_status *s
                   {"error of the preshear shear stress", p->tau_p_error, false},
                   {"error of the peak shear stress", p->tau_s_error, false},
                   {"error of the bulk density", p->rho_b_error, false},
-                  {"bulk density inside", p->rho_inside, false}};
+                  {"bulk density away from walls", p->rho_inside, false}};
     for (size_t i = 0; i < sizeof VALUES / sizeof VALUES[0]; i++) {
         const double value = VALUES[i].value;
         if (!isfinite(value) || value < 0.0 || (VALUES[i].positive && value == 0.0)) {
@@ -265,6 +265,23 @@ static clod_locus_value combine_field(const clod_locus *loci, size_t count,
     return (clod_locus_value){mean, scatter / sqrt(n), scatter};
 }
 
+/** Mean over the seeds that tell it: whether a cell is wide enough for an inside can depend on the packing. */
+static clod_locus_value combine_inside(const clod_locus *loci, size_t count)
+{
+    double sum = 0.0, squares = 0.0, n = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        const double value = loci[i].rho_inside.value;
+        sum += isnan(value) ? 0.0 : value;
+        n += isnan(value) ? 0.0 : 1.0;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const double off = loci[i].rho_inside.value - sum / n;
+        squares += isnan(off) ? 0.0 : off * off;
+    }
+    const double scatter = n > 1.0 ? sqrt(squares / (n - 1.0)) : (double)NAN;
+    return (clod_locus_value){n > 0.0 ? sum / n : (double)NAN, scatter / sqrt(n), scatter};
+}
+
 static void combine_warnings(const clod_locus *loci, size_t count, clod_locus *self)
 {
     size_t undefined = 0;
@@ -297,6 +314,7 @@ static void combine_values(const clod_locus *loci, size_t count, clod_locus *sel
     for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
         *clod_field_of(self, k) = combine_field(loci, count, k);
     }
+    self->rho_inside = combine_inside(loci, count);
     for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
         self->correlation[k] = (double)NAN; // as few seeds as there are tell none
     }

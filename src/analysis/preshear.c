@@ -11,8 +11,9 @@ static bool same_test(const clod_locus_point *a, const clod_locus_point *b)
 /** Whether two points tell the same of their preshear. */
 static bool same_result(const clod_locus_point *a, const clod_locus_point *b)
 {
+    const bool both = a->rho_inside > 0.0 && b->rho_inside > 0.0; // else one does not tell it
     return a->tau_p == b->tau_p && a->tau_p_error == b->tau_p_error && a->rho_b == b->rho_b &&
-           a->rho_b_error == b->rho_b_error && a->rho_inside == b->rho_inside;
+           a->rho_b_error == b->rho_b_error && (!both || a->rho_inside == b->rho_inside);
 }
 
 void clod_preshear_find(const clod_locus_point *points, size_t count, size_t *first)

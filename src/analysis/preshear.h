@@ -12,7 +12,7 @@
  * Find the preshear of every point.
  *
  * All points of one seed and one sigma_p stem from one preshear when tau_p, rho_b and the
- * errors of both are equal in all of them to the last digit, as a simulation that branches off
+ * errors of both are equal in all of them to the last digit, and rho_inside where it is told, as a simulation that branches off
  * one sheared specimen writes them. As soon as one of them differs, each of these points had a
  * preshear of its own: so points of the laboratory that agree by chance of rounding stay apart.
  *

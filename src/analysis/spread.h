@@ -10,7 +10,7 @@
 
 /** Everything that follows from a set of points. */
 typedef struct clod_spread_result {
-    double field[CLOD_FIELD_COUNT]; ///< in the order of CLOD_FIELDS; rho_b stays 0
+    double field[CLOD_FIELD_COUNT]; ///< in the order of CLOD_FIELDS; densities stay 0
     double sigma_c;                 ///< also of negative cohesion, unlike the field
     clod_fit fit;
     clod_mohr steady;
@@ -28,7 +28,7 @@ clod_spread_result clod_spread_evaluate(const clod_locus_point *points, size_t c
 
 /** Errors of the fields, and how they go together. */
 typedef struct clod_spread_told {
-    double error[CLOD_FIELD_COUNT];       ///< 0 for sigma_p and rho_b
+    double error[CLOD_FIELD_COUNT];       ///< 0 for sigma_p and densities
     double correlation[CLOD_LOCUS_PAIRS]; ///< 0 where one of the two has no error
 } clod_spread_told;
 

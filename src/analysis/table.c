@@ -49,6 +49,7 @@ static void put_field(FILE *out, const clod_locus *locus, clod_field_index index
     const format *how = &FORMATS[field->kind];
     const bool known = index != CLOD_FIELD_RHO_B;
     const char *key = index == CLOD_FIELD_FFC ? "ffc" : field->key;
+    // a longer name takes of the words before it, so that the numbers stand in their column
     const int width = (int)fmax((double)strlen(key), 8.0);
     fprintf(out, "  %-*s %-*s", 40 - width, field->text, width, key);
     put_number(out, how, 10, value.value, known ? "undefined" : "not given");
@@ -107,7 +108,7 @@ static void put_locus(FILE *out, const clod_locus *locus)
     fprintf(out, locus->seed_count > 1 ? ", %zu seeds\n\n" : "\n\n", locus->seed_count);
     for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
         if (k != CLOD_FIELD_RHO_INSIDE || !isnan(locus->rho_inside.value)) {
-            put_field(out, locus, k); // no laboratory knows that one
+            put_field(out, locus, k); // no laboratory knows that one, nor a narrow cell
         }
     }
     fprintf(out, "  %-32s %-8s%10s\n", "flow (Jenike)", "", locus->flow);

@@ -133,7 +133,9 @@ static void check_units(clod_locus *locus, const clod_locus_point *points, size_
             locus->sigma_p.value / KILO, locus->tau_p.value / KILO, phi_sf, PHI_LOW, PHI_HIGH);
     }
     for (size_t i = 0; i < count; i++) {
-        const double density = points[i].rho_b;
+        const double first = points[i].rho_b, inside = points[i].rho_inside;
+        const bool wrong = first > 0.0 && (first < RHO_LOW || first > RHO_HIGH);
+        const double density = wrong ? first : inside;
         if (density > 0.0 && (density < RHO_LOW || density > RHO_HIGH)) {
             clod_warnings_add(locus,
                               "A bulk density of %.4g kg/m3 is outside %.0f to %.0f kg/m3, "

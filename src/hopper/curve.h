@@ -12,6 +12,7 @@
 /** A measured point; standard errors, 0: not stated. */
 typedef struct clod_curve_point {
     double x, y;
+    double inside; ///< of a bulk density y: that away from the walls of the cell; 0: not known
     double x_error, y_error; ///< all of it, what specimens share too
     const double *
         spread; ///< [specimens] move of y per standard normal number of each specimen, the same

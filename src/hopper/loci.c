@@ -10,8 +10,6 @@
 #include "base/memory.h"
 #include "clod/locus.h"
 
-#define LOOSER 0.03 ///< rho_b below that of the core by more than a density is measured to
-
 /** A value with its standard error; what is not known is 0. */
 static void put(clod_curve_point *point, clod_locus_value value)
 {
@@ -27,21 +25,6 @@ static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
         clod_warning_list_add(notes->warnings,
                               "Yield locus at a preshear stress of %.3f kPa: %s",
                               1e-3 * locus->sigma_p.value, locus->warnings[k]);
-    }
-}
-
-/** A cell of a few grains is looser than the same solid in a hopper. */
-static void doubt_density(const clod_locus *locus, clod_tables_notes *notes)
-{
-    const double inside = locus->rho_inside.value; // NAN: not known
-    const double more = inside / locus->rho_b.value - 1.0;
-    if (more > LOOSER) {
-        clod_warning_list_add(
-            notes->warnings,
-            "Yield locus at a preshear stress of %.3f kPa: away from the walls of its cell the bulk "
-            "density is %.0f kg/m3, %.0f %% above its rho_b, %.0f kg/m3, which is used here. A hopper is "
-            "wide, so its outlets come out too wide; give the key bulk_density.",
-            1e-3 * locus->sigma_p.value, inside, 100.0 * more, locus->rho_b.value);
     }
 }
 
@@ -141,13 +124,11 @@ static bool rows_of(const clod_locus_study *study, const clod_hopper_case *of, c
         put(&rows[g].phi_e, locus->phi_e);
         put(&rows[g].phi_t, locus->phi_lin);
         put(&rows[g].rho, locus->rho_b);
+        rows[g].rho.inside = isfinite(locus->rho_inside.value) ? locus->rho_inside.value : 0.0;
         rows[g].strength.x = locus->sigma_1.value;
         rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
         join(locus, &rows[g]);
         take_notes(locus, notes);
-        if (!of->rho.present) {
-            doubt_density(locus, notes);
-        }
     }
     if (study->warning[0] != '\0') {
         clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);

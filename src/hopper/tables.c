@@ -37,6 +37,7 @@ static const clod_csv_column FLOW[] = {
     {.names = {"phi_t_error", "phi_lin_error"}, .unit = "rad", ROW(phi_t.y_error)},
     {.names = {"rho_b", "rho"}, .unit = "kg/m3", .positive = true, ROW(rho.y)},
     {.names = {"rho_b_error"}, .unit = "kg/m3", ROW(rho.y_error)},
+    {.names = {"rho_inside"}, .unit = "kg/m3", .positive = true, ROW(rho.inside)},
     PAIR(0, "correlation_sigma_1_sigma_c", "correlation_sigma_1_f_c"),
     PAIR(1, "correlation_sigma_1_phi_e"),
     PAIR(2, "correlation_sigma_1_phi_lin", "correlation_sigma_1_phi_t"),
@@ -68,14 +69,14 @@ static const char *const SKIPPED[] = {"seeds",
                                       "solid_fraction",
                                       "void_ratio",
                                       "strain_at_peak",
-                                      "rho_inside",
                                       "rho_inside_error",
                                       NULL};
 
 static bool check_flow(const clod_csv *self, const void *of)
 {
     row at = *(const row *)of;
-    if (at.rho.y != 0.0 && !clod_bulk_density_check(self, at.rho.y)) { // 0: not there
+    if ((at.rho.y != 0.0 && !clod_bulk_density_check(self, at.rho.y)) || // 0: not there
+        (at.rho.inside != 0.0 && !clod_bulk_density_check(self, at.rho.inside))) {
         return false;
     }
     return clod_loci_join(&at) ||
@@ -94,7 +95,8 @@ static const clod_csv_kind FLOW_KIND = {
     .columns = FLOW,
     .count = sizeof FLOW / sizeof FLOW[0],
     .row = sizeof(row),
-    .known = "sigma_1, sigma_c (or f_c), phi_e, phi_t, rho_b, and each of them with _error",
+    .known =
+        "sigma_1, sigma_c (or f_c), phi_e, phi_t, rho_b, and each of them with _error; rho_inside",
     .example = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],rho_b [kg/m3]",
     .item = "flow function point",
     .skipped = SKIPPED,

@@ -37,7 +37,7 @@ const clod_result_row CLOD_SHEAR_ROWS[CLOD_SHEAR_ROW_COUNT] = {
      NULL, NULL, false},
     {"rho_b_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 1, NULL,
      "not given", false},
-    {"rho_inside_kg_m3", "away from the cell's walls", "&rho;<sub>inside</sub>", "kg/m&sup3;",
+    {"rho_inside_kg_m3", "bulk density away from walls", "&rho;<sub>inside</sub>", "kg/m&sup3;",
      1.0, 1, NULL, "", false},
     {"flow", "flow (Jenike)", "", "", 1.0, 0, NULL, NULL, true},
     {"r_squared", "fit of the line", "r&sup2;", "", 1.0, 4, NULL, "-", false},

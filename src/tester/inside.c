@@ -35,7 +35,7 @@ static bool holds(const clod_inside *room, double x, double y, double z)
 }
 
 /** Place of a line of points across a grain, in radii. */
-static double across(int k)
+static double point_at(int k)
 {
     return (2.0 * k + 1.0) / POINTS - 1.0;
 }
@@ -49,9 +49,9 @@ static double share(const clod_inside *room, const double *grain)
     int in = 0;
     int all = 0;
     for (int k = 0; k < POINTS * POINTS * POINTS; k++) {
-        const double x = across(k % POINTS);
-        const double y = across(k / POINTS % POINTS);
-        const double z = across(k / POINTS / POINTS);
+        const double x = point_at(k % POINTS);
+        const double y = point_at(k / POINTS % POINTS);
+        const double z = point_at(k / POINTS / POINTS);
         if (x * x + y * y + z * z < 1.0) {
             const double r = grain[3];
             all++;
@@ -65,7 +65,8 @@ double clod_inside_density(const clod_inside *bed, const clod_state *state)
 {
     const double diameter = mean_diameter(state);
     const clod_inside room = away_from_walls(bed, CLOD_INSIDE_APART * diameter);
-    if (!(room.outer - room.inner >= diameter && room.high - room.low >= diameter)) {
+    const double across = room.inner > 0.0 ? room.outer - room.inner : 2.0 * room.outer;
+    if (!(across >= diameter && room.high - room.low >= diameter)) {
         return (double)NAN;
     }
     clod_exact sum = {0};

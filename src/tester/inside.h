@@ -21,8 +21,8 @@ typedef struct clod_inside {
  * Mass of grains, and of parts of grains, in the room that is CLOD_INSIDE_APART mean diameters and more from what
  * holds the bed, over its volume.
  *
- * @return  kg/m3; NAN where a mean diameter is not left across it or along it, or no grain is in it
+ * @return  kg/m3; NAN where less than a mean diameter of the bed is left, across or along, or no grain is in it
  * Errors  none.   Threads  pure.
- * Source  docs/theory/ring-shear.md.   Test  tests/tester/test_inside.c, tests/cli/test_ring_shear.py
+ * Source  docs/theory/ring-shear.md.   Test  tests/tester/test_inside.c, tests/python/test_inside_density.py
  */
 double clod_inside_density(const clod_inside *bed, const clod_state *state);

@@ -250,6 +250,8 @@ static void seeds_are_combined_by_mean_and_scatter(void **state)
         points_on_line(cohesion[k], 35.0 * DEG, 10e3, 8.5e3, STRESSES, COUNT, points);
         points[0].seed = (int64_t)k;
         points[0].rho_b = 1400.0 + 100.0 * (double)k;
+        points[0].rho_inside =
+            k == 0 ? 0.0 : 1600.0 + 100.0 * (double)k; // one cell is too narrow
         assert_true(clod_locus_evaluate(points, COUNT, &loci[k], &status));
     }
     clod_locus all;
@@ -262,6 +264,9 @@ static void seeds_are_combined_by_mean_and_scatter(void **state)
     assert_near(all.c.error, sqrt(0.13 / 3.0) * 1e3, 1e-9);
     assert_near(all.rho_b.value, 1500.0, 1e-12);
     assert_near(all.rho_b.scatter, 100.0, 1e-12);
+    assert_near(all.rho_inside.value, 1750.0, 1e-12); // of the two that tell it
+    assert_near(all.rho_inside.scatter, 50.0 * sqrt(2.0), 1e-12);
+    assert_near(all.rho_inside.error, 50.0, 1e-12);
     assert_near(all.phi_lin.value, 35.0 * DEG, 1e-12);
     const double sigma_1 =
         (loci[0].sigma_1.value + loci[1].sigma_1.value + loci[2].sigma_1.value) / 3.0;

@@ -198,6 +198,16 @@ static void points_alike_in_all_of_preshear_share_it(void **state)
     expect_first(points, COUNT, (const size_t[]){0, 1, 0, 1, 4});
 }
 
+/** A column that only some rows fill in tells nothing of whose preshear it was. */
+static void a_gap_in_rho_inside_does_not_part_points(void **state)
+{
+    (void)state;
+    clod_locus_point points[COUNT];
+    points_on_line(2e3, 35.0 * DEG, 10e3, 8.5e3, STRESSES, COUNT, points);
+    points[1].rho_inside = points[3].rho_inside = 1400.0;
+    expect_first(points, COUNT, (const size_t[]){0, 0, 0, 0, 0});
+}
+
 static void points_that_differ_in_preshear_had_their_own(void **state)
 {
     (void)state;
@@ -207,6 +217,9 @@ static void points_that_differ_in_preshear_had_their_own(void **state)
         points_on_line(2e3, 35.0 * DEG, 10e3, 8.5e3, STRESSES, COUNT, points);
         double *const told[] = {&points[2].tau_p, &points[2].tau_p_error, &points[2].rho_b,
                                 &points[2].rho_b_error, &points[2].rho_inside};
+        for (size_t i = 0; i < COUNT; i++) {
+            points[i].rho_inside = 1400.0;
+        }
         *told[k] += 1.0; // the others agree by chance
         expect_first(points, COUNT, own);
     }
@@ -222,6 +235,7 @@ int main(void)
         cmocka_unit_test(bulk_density_is_measured_once_per_preshear),
         cmocka_unit_test(points_alike_in_all_of_preshear_share_it),
         cmocka_unit_test(points_that_differ_in_preshear_had_their_own),
+        cmocka_unit_test(a_gap_in_rho_inside_does_not_part_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

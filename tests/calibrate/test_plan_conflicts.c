@@ -128,6 +128,9 @@ static void bulk_density_above_that_of_the_grains(void **state)
         "test lab: rho_b 2500 kg/m3 in targets.0 is above the density of its grains, 2481 kg/m3, which no "
         "packing of them reaches";
     lab_refuse(state, RING, DENSE, WORDS);
+    lab_refuse(
+        state, RING, "number: rho_inside, value: 2500 kg/m3, error: 15 kg/m3",
+        "test lab: rho_inside 2500 kg/m3 in targets.0 is above the density of its grains");
     lab_load_good(state, RING, "number: rho_b, value: 2450 kg/m3, error: 15 kg/m3", &plan);
     clod_plan_fini(&plan);
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n54.8,2500\n");

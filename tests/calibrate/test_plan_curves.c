@@ -200,17 +200,19 @@ static void shear_test_is_read_at_the_stress_of_the_table(void **state)
     clod_status status = {CLOD_OK, ""};
     char folder[PATH_MAX];
     lab_write_file(state, "lab.csv", FLOW);
-    lab_write_file(state, "points.csv",
-                   "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
-                   "54.8,37.4,12,16\n54.8,37.4,30,25\n");
+    lab_write_file(
+        state, "points.csv",
+        "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3],rho_inside [kg/m3]\n"
+        "54.8,37.4,12,16,1200,1380\n54.8,37.4,30,25,1200,1380\n");
     lab_load_good(
         state, RING,
         "number: sigma_1, value: 90 kPa, error: 1 kPa}, "
         "{test: lab, number: sigma_c, value: 20 kPa, error: 5 kPa}, "
         "{test: lab, number: tau, normal_stress: 20 kPa, value: 20 kPa, error: 5 kPa}, "
+        "{test: lab, number: rho_inside, value: 1400 kg/m3, error: 20 kg/m3}, "
         "{test: lab, locus: lab.csv, normal_stress: 110 kPa",
         &plan);
-    double values[4];
+    double values[5];
     temp_path(folder, state, "");
     assert_true(clod_number_read(&plan, 0, folder, values, NULL, &status));
     const double sigma_1 = 73.5e3 + 37.4e3 * sqrt(5.0) / 2.0;
@@ -218,7 +220,8 @@ static void shear_test_is_read_at_the_stress_of_the_table(void **state)
     assert_true(fabs(values[0] / sigma_1 - 1.0) < 1e-9);
     assert_true(fabs(values[1] / sigma_c - 1.0) < 1e-9);
     assert_true(fabs(values[2] / 20e3 - 1.0) < 1e-9);
-    assert_true(fabs(values[3] / (sigma_c + 0.12 * (110e3 - sigma_1)) - 1.0) < 1e-9);
+    assert_true(fabs(values[3] / 1380.0 - 1.0) < 1e-9);
+    assert_true(fabs(values[4] / (sigma_c + 0.12 * (110e3 - sigma_1)) - 1.0) < 1e-9);
     clod_plan_fini(&plan);
 }
 
@@ -235,20 +238,21 @@ static void uniaxial_test_is_read_at_the_stress_of_the_table(void **state)
         "{\"flow_function\": [{\"consolidation_stress_Pa\": 20000, \"sigma_1_Pa\": 20000, "
         "\"sigma_c_Pa\": 5000, \"bulk_density_kg_m3\": 1100}, "
         "{\"consolidation_stress_Pa\": 54800, \"sigma_1_Pa\": 50000, "
-        "\"sigma_c_Pa\": 11000, \"bulk_density_kg_m3\": 1210}]}");
+        "\"sigma_c_Pa\": 11000, \"bulk_density_kg_m3\": 1210, \"inside_density_kg_m3\": 1300}]}");
     lab_load_good(
         state, UNIAXIAL,
         "locus: lab.csv, error: 1 kPa}, "
         "{test: lab, locus: lab.csv, number: rho_b, error: 9 kg/m3}, "
-        "{test: lab, number: sigma_c, normal_stress: 54.8 kPa, value: 12 kPa, error: 1 kPa",
+        "{test: lab, number: sigma_c, normal_stress: 54.8 kPa, value: 12 kPa, error: 1 kPa}, "
+        "{test: lab, number: rho_inside, normal_stress: 54.8 kPa, value: 1320 kg/m3, error: 9 kg/m3",
         &plan);
-    static const double EXPECTED[] = {5000.0, 11000.0 + 0.2 * 4800.0, 1100.0,
-                                      1210.0 + 50.0 / 34.8 * 4.8, 11000.0};
-    double values[5];
+    static const double EXPECTED[] = {
+        5000.0, 11000.0 + 0.2 * 4800.0, 1100.0, 1210.0 + 50.0 / 34.8 * 4.8, 11000.0, 1300.0};
+    double values[6];
     temp_path(folder, state, "");
-    assert_int_equal(plan.target_count, 5);
+    assert_int_equal(plan.target_count, 6);
     assert_true(clod_number_read(&plan, 0, folder, values, NULL, &status));
-    for (size_t t = 0; t < 5; t++) {
+    for (size_t t = 0; t < 6; t++) {
         assert_true(fabs(values[t] / EXPECTED[t] - 1.0) < 1e-9);
     }
     clod_plan_fini(&plan);

@@ -88,20 +88,20 @@ class Joint(hopper_case.Case):
         self.assertIn("flow.csv:2: no errors have these correlations together", done.stderr)
 
     def test_a_cell_that_is_looser_than_its_core_is_told(self):
-        """Warned of by each locus, unless the density is given; it changes nothing else."""
+        """Warned of, from points and from a table, unless the density is given; it changes nothing else."""
         self.points()
         self.write("case.yaml", CASE % "shear_tests: [{points: points.csv}]")
         before = self.found()
         with open(self.path("points.csv")) as file:
             head, *rows = file.read().splitlines()
-        for times, told in ((1.02, 0), (1.3, 2)):
+        for times, told in ((1.02, 0), (1.3, 1)):
             self.write("points.csv", head + ",rho_inside [kg/m3]\n" + "".join(
                 f"{row},{times * float(row.rsplit(',', 1)[1]):.1f}\n" for row in rows))
             text = self.told()
-            self.assertEqual(text.count("away from the walls of its cell the bulk density is"), told)
+            self.assertEqual(text.count("Bulk density: away from the walls of the cell"), told)
             self.assertEqual(self.found()["cone"]["outlet_m"]["value"], before["cone"]["outlet_m"]["value"])
-        self.assertIn("at a preshear stress of 3.000 kPa: away from the walls of its cell the bulk density is 1703 "
-                      "kg/m3, 30 % above its rho_b, 1310 kg/m3", text)
+        self.assertRegex(text, r"it was (1703 kg/m3 at sigma_1 [\d.]+ kPa, 30 % above rho_b, 1310|1885 kg/m3 at "
+                               r"sigma_1 [\d.]+ kPa, 30 % above rho_b, 1450) kg/m3, which is used here")
         self.write("case.yaml", CASE % "shear_tests: [{points: points.csv}]" + "bulk_density: {value: 1700 kg/m3}\n")
         self.assertNotIn("away from the walls", self.told())
         # a table of clod locus has the column, and rho_b is what counts there
@@ -109,6 +109,14 @@ class Joint(hopper_case.Case):
         self.write("case.yaml", CASE % "file: table.csv")
         self.assertAlmostEqual(self.found()["cone"]["outlet_m"]["value"], before["cone"]["outlet_m"]["value"],
                                delta=1e-6)
+        self.assertIn("Bulk density: away from the walls of the cell", self.told())
+        flow = "sigma_1 [kPa],f_c [kPa],phi_e [deg],rho_b [kg/m3],rho_inside [kg/m3]\n"
+        self.write("table.csv", flow + "2,1.4,48,1250,1260\n8,2.9,46,1350,\n")  # one cell is empty
+        self.assertNotIn("away from the walls", self.told())
+        self.write("table.csv", flow + "2,1.4,48,1250,1500\n8,2.9,46,1350,1400\n")
+        self.assertIn("it was 1500 kg/m3 at sigma_1 2.000 kPa, 20 % above rho_b, 1250 kg/m3", self.told())
+        self.write("table.csv", flow + "2,1.4,48,1250,1.5\n8,2.9,46,1350,1400\n")
+        self.assertIn("table.csv:2: ", self.hopper("case.yaml", code=2).stderr)
 
 
 if __name__ == "__main__":

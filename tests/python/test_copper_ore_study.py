@@ -152,6 +152,20 @@ class Tables(unittest.TestCase):
         """All of them lie 500 Pa above the line: the same angle."""
         self.assertAlmostEqual(loci.angle_of_highest(self.folder, "ore5-seed2"), 34.0, places=9)
 
+    def test_tests_of_older_and_newer_programs_are_joined(self):
+        """Programs from 2026-11-28 on write one column more, which narrow cells leave empty."""
+        before = loci.of_tests(program.BINARY, self.folder, ["ore5-seed1", "ore5-seed2"])
+        path = os.path.join(self.folder, "ore5-seed2", "points.csv")
+        with open(path) as file:
+            head, *rows = file.read().splitlines()
+        with open(path, "w") as file:
+            file.write(head + ",rho_inside [kg/m3]\n" + "".join(row + ",1380\n" for row in rows))
+        after = loci.of_tests(program.BINARY, self.folder, ["ore5-seed1", "ore5-seed2"])
+        self.assertEqual(after.pop("rho_inside_kg_m3")["value"], 1380)
+        self.assertIsNone(before.pop("rho_inside_kg_m3")["value"])
+        self.assertEqual(after["c_Pa"], before["c_Pa"])
+        self.assertEqual(after["rho_b_kg_m3"], before["rho_b_kg_m3"])
+
     def test_packings(self):
         """Mean of 30 and 34 degrees 32, standard error of two 2; the paper's 44.6, the laboratory's 47.3."""
         rows = [[cell.strip() for cell in row.strip("|").split("|")] for row in self.show("packings").splitlines()]

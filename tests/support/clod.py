@@ -92,12 +92,12 @@ def read(path):
         return file.read()
 
 
-def table(path):
-    """A CSV file as a list of rows of numbers by name, units cut off the names; empty cells are nan."""
+def table(path, gaps=("rho_inside",)):
+    """A CSV file as a list of rows of numbers by name, units cut off the names; cells of columns in `gaps`, which narrow cells do not have, may be empty: nan."""
     with open(path, newline="") as file:
         rows = csv.reader(file)
         names = [name.split(" [")[0] for name in next(rows)]
-        return [dict(zip(names, (float(cell or "nan") for cell in row))) for row in rows]
+        return [{name: float("nan" if cell == "" and name in gaps else cell) for name, cell in zip(names, row)} for row in rows]
 
 
 def mean(rows, name):
