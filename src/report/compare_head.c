@@ -173,16 +173,21 @@ bool clod_compare_head_warnings(FILE *out, const clod_run_files *runs, size_t co
 
 static void put_number(FILE *out, const json_t *summary, const char *key)
 {
-    const json_t *value = clod_head_number(summary, key);
-    if (json_is_number(value)) {
-        const double number = json_number_value(value), none = (double)NAN;
-        clod_rounded_begin(out, "td", number, none, "");
-        clod_rounded_put(out, number, none, none,
-                         json_is_integer(value) ? 0 : CLOD_ROUNDED_SHORT, "");
-        fputs("</td>", out);
-    } else {
+    double ends[2];
+    if (!clod_head_number(summary, key, ends)) {
         clod_html_cell(out, "td", "");
+        return;
     }
+    const double none = (double)NAN;
+    const bool whole = ends[0] == floor(ends[0]) && ends[1] == floor(ends[1]); // seeds, grains
+    const int digits = whole ? 0 : CLOD_ROUNDED_SHORT;
+    clod_rounded_begin(out, "td", ends[0], none, "");
+    clod_rounded_put(out, ends[0], none, none, digits, "");
+    if (ends[0] != ends[1]) {
+        fputs(" to ", out);
+        clod_rounded_put(out, ends[1], none, none, digits, "");
+    }
+    fputs("</td>", out);
 }
 
 void clod_compare_head_sources(FILE *out, const clod_run_files *runs, size_t count)
@@ -195,7 +200,7 @@ void clod_compare_head_sources(FILE *out, const clod_run_files *runs, size_t cou
         "<th>grains</th><th>time step [s]</th><th>computing time [s]</th></tr></thead>\n<tbody>",
         out);
     for (size_t k = 0; k < count; k++) {
-        const char *version = json_string_value(json_object_get(runs[k].summary, "version"));
+        const char *version = clod_run_files_version(&runs[k]);
         char until[40] = "not known";
         if (runs[k].ended != NULL) {
             snprintf(until, sizeof until, "%.10s %.5s UTC", runs[k].ended, runs[k].ended + 11);

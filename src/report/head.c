@@ -1,5 +1,8 @@
 #include "report/head.h"
 
+#include <math.h>
+#include <string.h>
+
 #include "report/free_warnings.h"
 #include "report/html.h"
 #include "report/run_kinds.h"
@@ -92,11 +95,33 @@ void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
     fputs("</section>\n", out);
 }
 
-const json_t *clod_head_number(const json_t *summary, const char *key)
+bool clod_head_number(const json_t *summary, const char *key, double ends[2])
 {
     const json_t *own = json_object_get(summary, key);
-    const json_t *part = json_array_get(json_object_get(summary, "parts"), 0);
-    return own != NULL ? own : json_object_get(part, key);
+    if (own != NULL || strcmp(key, "steps") == 0) {
+        ends[0] = ends[1] = json_number_value(own);
+        return json_is_number(own);
+    }
+    double sum = 0.0;
+    ends[0] = HUGE_VAL;
+    ends[1] = -HUGE_VAL;
+    size_t k;
+    const json_t *part;
+    json_array_foreach(json_object_get(summary, "parts"), k, part)
+    {
+        const json_t *number = json_object_get(part, key);
+        if (json_is_number(number)) {
+            const double value = json_number_value(number);
+            sum += value;
+            ends[0] = fmin(ends[0], value);
+            ends[1] = fmax(ends[1], value);
+        }
+    }
+    const bool found = ends[0] <= ends[1];
+    if (found && strcmp(key, "wall_clock_s") == 0) {
+        ends[0] = ends[1] = sum;
+    }
+    return found;
 }
 
 void clod_head_sources(FILE *out, const clod_run_files *run)
@@ -111,15 +136,18 @@ void clod_head_sources(FILE *out, const clod_run_files *run)
     clod_html_section(out, "provenance", "Where this comes from");
     fputs("<div class=\"scroll\"><table class=\"facts\">", out);
     clod_html_fact(out, "results folder", run->folder);
-    const char *version = json_string_value(json_object_get(run->summary, "version"));
+    const char *version = clod_run_files_version(run);
     clod_html_fact(out, "computed by", version != NULL ? version : "not known");
     clod_html_fact(out, "begun", run->began != NULL ? run->began : "not known");
     clod_html_fact(out, "last entry of the log", run->ended != NULL ? run->ended : "not known");
     for (size_t k = 0; k < sizeof NUMBERS / sizeof *NUMBERS; k++) {
-        const json_t *value = clod_head_number(run->summary, NUMBERS[k].key);
-        if (json_is_number(value)) {
-            char text[64];
-            snprintf(text, sizeof text, NUMBERS[k].format, json_number_value(value));
+        double ends[2];
+        if (clod_head_number(run->summary, NUMBERS[k].key, ends)) {
+            char low[32], high[32], text[80];
+            snprintf(low, sizeof low, NUMBERS[k].format, ends[0]);
+            snprintf(high, sizeof high, NUMBERS[k].format, ends[1]);
+            const bool one = strcmp(low, high) == 0;
+            snprintf(text, sizeof text, "%s%s%s", low, one ? "" : " to ", one ? "" : high);
             clod_html_fact(out, NUMBERS[k].text, text);
         }
     }

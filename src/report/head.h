@@ -27,8 +27,14 @@ size_t clod_head_lab_count(const json_t *lab);
 /** These in a list under a heading of its own; without any, nothing. */
 void clod_head_lab_put(FILE *out, const json_t *lab);
 
-/** A number of the summary, or of the first of its parts; borrowed; NULL: there is none. */
-const json_t *clod_head_number(const json_t *summary, const char *key);
+/**
+ * A number of the summary, or of its parts: times add up, steps are none, for each part counts on from those of its
+ * preparation, and of others there is the least and the largest, as of seeds.
+ *
+ * @param ends  [2] [out] least and largest; equal where there is one number
+ * @return      whether there is one
+ */
+bool clod_head_number(const json_t *summary, const char *key, double ends[2]);
 
 /** The report as text, the case, and what computed it. */
 void clod_head_sources(FILE *out, const clod_run_files *run);

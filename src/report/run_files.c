@@ -44,7 +44,30 @@ static bool load_summary(clod_run_files *self, clod_status *status)
                             self->folder, error.line, error.text);
 }
 
-/** The time in the first and the last line of the log that have a whole one. */
+/** Keep what a line of the log tells of a run that has no summary yet: who computes it, and a part of it. */
+static void take_line(clod_run_files *self, const char *line)
+{
+    json_t *entry = json_loadb(line, strcspn(line, "\n"), 0, NULL);
+    json_t *version = json_object_get(entry, "version");
+    json_t *name = json_object_get(entry, "part");
+    json_t *parts = json_object_get(self->log, "parts");
+    if (json_is_string(version)) {
+        json_object_set(self->log, "version", version);
+    }
+    bool known = !json_is_string(name);
+    size_t k;
+    const json_t *part;
+    json_array_foreach(parts, k, part)
+    {
+        known = known || json_equal(json_object_get(part, "part"), name);
+    }
+    if (!known) {
+        json_array_append_new(parts, json_pack("{s:O}", "part", name));
+    }
+    json_decref(entry);
+}
+
+/** The time in the first and the last line of the log that have a whole one, and what these lines tell. */
 static bool load_times(clod_run_files *self, clod_status *status)
 {
     static const char KEY[] = "{\"time\":\"";
@@ -52,6 +75,7 @@ static bool load_times(clod_run_files *self, clod_status *status)
     if (!load_text(self, "log.jsonl", &text, status)) {
         return false;
     }
+    self->log = json_pack("{s:[]}", "parts");
     for (const char *line = text != NULL ? strstr(text, KEY) : NULL; line != NULL;
          line = strstr(line + 1, KEY)) {
         const char *at = line + strlen(KEY);
@@ -66,6 +90,7 @@ static bool load_times(clod_run_files *self, clod_status *status)
         }
         clod_memory_free(self->ended);
         self->ended = clod_memory_text(time);
+        take_line(self, line);
     }
     clod_memory_free(text);
     return true;
@@ -202,8 +227,15 @@ void clod_run_files_names(clod_run_files *runs, size_t count)
 
 const char *clod_run_files_part(const clod_run_files *self, size_t k)
 {
-    const json_t *part = json_array_get(json_object_get(self->summary, "parts"), k);
+    const json_t *from = self->summary != NULL ? self->summary : self->log;
+    const json_t *part = json_array_get(json_object_get(from, "parts"), k);
     return json_string_value(json_object_get(part, "part"));
+}
+
+const char *clod_run_files_version(const clod_run_files *self)
+{
+    const json_t *from = self->summary != NULL ? self->summary : self->log;
+    return json_string_value(json_object_get(from, "version"));
 }
 
 void clod_run_files_gravity(const clod_run_files *self, double gravity[3])
@@ -224,6 +256,7 @@ void clod_run_files_gravity(const clod_run_files *self, double gravity[3])
 void clod_run_files_fini(clod_run_files *self)
 {
     json_decref(self->summary);
+    json_decref(self->log);
     clod_memory_free(self->folder);
     clod_memory_free(self->title);
     clod_memory_free(self->case_text);

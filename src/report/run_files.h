@@ -20,6 +20,7 @@ typedef struct clod_run_files {
     char *complete;      ///< owned: case-complete.yaml; NULL: none
     char *report;        ///< owned: report.txt; NULL while the run is not complete
     json_t *summary;     ///< owned; NULL while there is none
+    json_t *log;         ///< owned: `version` and `parts` as log.jsonl tells them, for as long
     char *began, *ended; ///< owned: when, UTC; NULL: the log does not say
     const clod_run_kind *kind;
 } clod_run_files;
@@ -43,6 +44,9 @@ void clod_run_files_names(clod_run_files *runs, size_t count);
 
 /** Number k of the parts that the run has, borrowed; NULL behind the last. */
 const char *clod_run_files_part(const clod_run_files *self, size_t k);
+
+/** What computed it, borrowed; NULL: not known. */
+const char *clod_run_files_version(const clod_run_files *self);
 
 /** Gravity of the complete case [m/s2]; 0 where it says none.   Test  tests/python/test_slices.py */
 void clod_run_files_gravity(const clod_run_files *self, double gravity[3]);

@@ -58,7 +58,8 @@ output: {series_interval: 20 ms}
 
 UNIAXIAL = {
     "title": "Two stresses", "version": "clod 9",
-    "parts": [{"part": "fill", "seed": 4, "grains": 250}, {"part": "stress-1"}],
+    "parts": [{"part": "fill", "seed": 4, "grains": 250, "dt_s": 1e-5, "steps": 1000, "wall_clock_s": 2.5},
+              {"part": "stress-1", "seed": 4, "grains": 250, "dt_s": 1.25e-5, "steps": 5000, "wall_clock_s": 60.25}],
     "flow_function": [{"part": "stress-1", "errors_note": "one specimen: scatter between specimens not included",
                        "consolidation_stress_Pa": 10000.0, "sigma_1_Pa": 10076.6, "sigma_c_Pa": 11677.46,
                        "sigma_c_error_Pa": 59.87, "ffc": 0.862911}],

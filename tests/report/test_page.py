@@ -119,6 +119,10 @@ class Report(pages.PageCase):
         self.assertEqual([flow[key] for key in ("x", "y", "error")], [["10076.6"], ["11677.46"], ["59.87"]])
         self.assertEqual(page.items, ["stress-1: only 7.2 grain diameters"])
         self.assertEqual(page.row("sigma c [Pa]")[1:], ["11677 ± 60"])
+        self.assertEqual(page.row("computing time [s]")[1:], ["62.75"])  # of both parts
+        self.assertEqual(page.row("time step [s]")[1:], ["1e-05 to 1.25e-05"])
+        self.assertEqual(page.row("seed")[1:], ["4"])
+        self.assertFalse([row for table in page.tables for row in table if row[0] == "steps"])
         self.assertIn('<b title="11677.46 &plusmn; 59.87 Pa">11.677 <small>&plusmn; 0.060 kPa</small></b>', page.text)
 
     def test_wall_friction(self):
@@ -159,6 +163,23 @@ class Report(pages.PageCase):
         page = self.page("run/report.html")
         self.assertEqual(page.items, ["The run is not complete: this page shows what there is so far."])
         self.assertEqual(len(page.figures["kinetic-energy"]["curves"][0]["x"]), 26)
+
+    def test_a_test_that_goes_on(self):
+        """Its parts are those of the log, with the curves that they have so far."""
+        pages.uniaxial(self.path("run"))
+        for name in ("report.txt", "summary.json"):
+            if os.path.exists(self.path("run/" + name)):
+                os.remove(self.path("run/" + name))
+        with open(self.path("run/log.jsonl"), "w") as file:
+            file.write('{"time":"2026-11-28T06:54:04.090Z","event":"start","version":"clod 9.9"}\n'
+                       '{"time":"2026-11-28T06:57:46.322Z","event":"phase","part":"stress-1","from":"fill","to":"lower"}\n'
+                       '{"time":"2026-11-28T06:58:46.322Z","event":"phase","part":"stress-1","from":"lower","to":"crush"}\n')
+        self.made("report", "run")
+        page = self.page("run/report.html")
+        stress = pages.cells(self.path("run"), "stress-1.csv")
+        self.assert_curve(page.figures["axial-stress"], 0, stress, "strain", "axial_stress", 2)
+        self.assertEqual(len(page.figures["axial-stress"]["curves"]), 1)
+        self.assertEqual(page.row("computed by")[1:], ["clod 9.9"])
 
     def test_a_title_with_quotes(self):
         """While there is no summary the title is that of the case, read as YAML."""
