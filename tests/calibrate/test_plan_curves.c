@@ -36,9 +36,12 @@ static void flow_function_of_a_uniaxial_test_is_targets(void **state)
                    "20,6,0.4,1200,9\n54.8,13,0.7,1250,10\n");
     lab_load_good(
         state, UNIAXIAL,
-        "locus: lab.csv}, {test: lab, locus: lab.csv, number: rho_b, normal_stress: 54.8 kPa",
+        "locus: lab.csv}, {test: lab, locus: lab.csv, number: rho_b, normal_stress: 54.8 kPa}, "
+        "{test: lab, locus: lab.csv, number: rho_inside",
         &plan);
-    assert_int_equal(plan.target_count, 3);
+    assert_int_equal(plan.target_count, 5);
+    lab_check_target(&plan.targets[3], "lab: rho_inside at 20 kPa", 20e3, 1200.0, 9.0);
+    lab_check_target(&plan.targets[4], "lab: rho_inside at 54.8 kPa", 54.8e3, 1250.0, 10.0);
     lab_check_target(&plan.targets[0], "lab: sigma_c at 20 kPa", 20e3, 6e3, 0.4e3);
     lab_check_target(&plan.targets[1], "lab: sigma_c at 54.8 kPa", 54.8e3, 13e3, 0.7e3);
     lab_check_target(&plan.targets[2], "lab: rho_b at 54.8 kPa", 54.8e3, 1250.0, 10.0);
@@ -112,6 +115,16 @@ static void density_of_shear_points_is_a_target(void **state)
     assert_true(fabs(target->value - 1320.0) < 1e-9);
     assert_true(fabs(target->error - sqrt(700.0 / 3.0)) < 1e-9);
     assert_true(target->curve == NULL && target->normal_stress == 0.0);
+    clod_plan_fini(&plan);
+
+    // the same of the laboratory, beside another of the simulation
+    lab_load_good(state, RING, "locus: lab.csv, number: rho_inside, discrepancy: 14 kg/m3",
+                  &plan);
+    assert_int_equal(plan.target_count, 1);
+    assert_string_equal(plan.targets[0].name, "lab: rho_inside");
+    assert_string_equal(plan.targets[0].number, "rho_inside");
+    assert_true(fabs(plan.targets[0].value - 1320.0) < 1e-9);
+    assert_true(fabs(plan.targets[0].error - sqrt(700.0 / 3.0)) < 1e-9);
     clod_plan_fini(&plan);
 }
 
