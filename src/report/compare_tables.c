@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "report/compare_seeds.h"
 #include "report/shear_rows.h"
+#include "report/uniaxial_rows.h"
 #include "report/wall_page.h"
 
 /** Subjects of a table: objects of runs by their place in each run, as the yield loci of several
@@ -163,18 +164,6 @@ bool clod_compare_tables_uniaxial(FILE *out, const clod_run_files *runs, size_t 
                                   const json_t *lab, clod_status *status)
 {
     (void)lab;
-    static const clod_result_row ROWS[] = {
-        {"sigma_1_Pa", "major principal stress", "&sigma;<sub>1</sub>", "kPa", 1e-3, 3, NULL,
-         NULL, false},
-        {"bulk_density_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 0, NULL,
-         NULL, false},
-        {"inside_density_kg_m3", "bulk density away from walls", "&rho;<sub>inside</sub>",
-         "kg/m&sup3;", 1.0, 0, NULL, "", false},
-        {"sigma_c_Pa", "unconfined yield strength", "&sigma;<sub>c</sub>", "kPa", 1e-3, 3,
-         "sigma_c_error_Pa", NULL, false},
-        {"strain_at_peak", "strain at the peak", "", "%", 100.0, 2, NULL, NULL, false},
-        {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "",
-         1.0, 2, NULL, NULL, false}};
-    return clod_compare_tables_put(out, ROWS, sizeof ROWS / sizeof *ROWS, runs, count, NULL,
-                                   strength_of, status);
+    return clod_compare_tables_put(out, CLOD_UNIAXIAL_ROWS, CLOD_UNIAXIAL_ROW_COUNT, runs,
+                                   count, NULL, strength_of, status);
 }

@@ -10,9 +10,44 @@
 #include "report/part_curves.h"
 #include "report/part_tables.h"
 #include "report/shear_rows.h"
-#include "report/summary_tables.h"
+#include "report/uniaxial_rows.h"
 
 #define MOST_STRESSES 64
+
+const clod_result_row CLOD_UNIAXIAL_ROWS[CLOD_UNIAXIAL_ROW_COUNT] = {
+    {"sigma_1_Pa", "major principal stress", "&sigma;<sub>1</sub>", "kPa", 1e-3, 3, NULL, NULL,
+     false},
+    {"sigma_c_Pa", "unconfined yield strength", "&sigma;<sub>c</sub>", "kPa", 1e-3, 3,
+     "sigma_c_error_Pa", NULL, false},
+    {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "", 1.0, 2,
+     NULL, NULL, false},
+    {"strain_at_peak", "strain at the peak", "", "%", 100.0, 2, NULL, NULL, false},
+    {"bulk_density_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 0, NULL,
+     NULL, false},
+    {"inside_density_kg_m3", "bulk density away from walls", "&rho;<sub>inside</sub>",
+     "kg/m&sup3;", 1.0, 0, NULL, "", false},
+    {"solid_fraction", "solid fraction", "", "", 1.0, 4, NULL, NULL, false},
+    {"void_ratio", "void ratio", "e", "", 1.0, 4, NULL, NULL, false}};
+
+/** Results of each consolidation beside each other. */
+static void put_results(FILE *out, const json_t *strengths)
+{
+    clod_result_of of[MOST_STRESSES];
+    char names[MOST_STRESSES][32];
+    size_t count = 0;
+    size_t k;
+    const json_t *one;
+    json_array_foreach(strengths, k, one)
+    {
+        if (count < MOST_STRESSES) {
+            snprintf(names[count], sizeof names[count], "%.6g kPa",
+                     1e-3 * clod_result_table_number(one, "consolidation_stress_Pa"));
+            of[count] = (clod_result_of){.name = names[count], .from = one};
+            count++;
+        }
+    }
+    clod_result_table_put(out, CLOD_UNIAXIAL_ROWS, CLOD_UNIAXIAL_ROW_COUNT, of, count);
+}
 
 static void put_flow_function(clod_sheet *sheet, const json_t *strengths)
 {
@@ -56,7 +91,7 @@ bool clod_run_pages_uniaxial(clod_sheet *sheet, const clod_run_files *run, const
     (void)lab;
     json_t *strengths = json_object_get(run->summary, "flow_function");
     clod_html_section(sheet->body, "results", "Results");
-    clod_summary_tables_put(sheet->body, NULL, strengths);
+    put_results(sheet->body, strengths);
     if (json_object_get(json_array_get(strengths, 0), "errors_note") != NULL) {
         fputs(
             "<p class=\"note\">&plusmn; one standard error of the smoothed peak; <strong>" CLOD_LOCUS_ONE_SPECIMEN

@@ -118,7 +118,15 @@ class Report(pages.PageCase):
         flow = page.figures["flow-function"]["curves"][0]
         self.assertEqual([flow[key] for key in ("x", "y", "error")], [["10076.6"], ["11677.46"], ["59.87"]])
         self.assertEqual(page.items, ["stress-1: only 7.2 grain diameters"])
-        self.assertEqual(page.row("sigma c [Pa]")[1:], ["11677 ± 60"])
+        self.assertEqual(page.row("unconfined yield strength [kPa]")[1:], ["σc", "11.677 ± 0.060"])
+        self.assertEqual(page.row("quantity")[2:], ["10 kPa"])
+        self.assertNotIn("bulk density away from walls", page.text)  # nobody has it
+        with open(self.path("run/summary.json")) as file:
+            summary = json.load(file)
+        summary["flow_function"][0]["inside_density_kg_m3"] = 1283.6
+        pages.write(self.path("run"), summary__json=summary)
+        self.made("report", "run")
+        self.assertEqual(self.page("run/report.html").row("bulk density away from walls [kg/m³]")[1:], ["ρinside", "1284"])
         self.assertEqual(page.row("computing time [s]")[1:], ["62.75"])  # of both parts
         self.assertEqual(page.row("time step [s]")[1:], ["1e-05 to 1.25e-05"])
         self.assertEqual(page.row("seed")[1:], ["4"])
