@@ -41,6 +41,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         self->json = true;
         return 0;
     case 'o':
+        if (argument[0] == '\0' || argument[strlen(argument) - 1] == '/') {
+            argp_error(state, "-o \"%s\" has no name; give one, e.g. -o design", argument);
+        }
         self->output = argument;
         return 0;
     default:

@@ -21,6 +21,22 @@ static void complain(clod_loader *loader, const char *key, const char *text)
     clod_report_add(loader->report, clod_load_place(node), key, "%s", text);
 }
 
+/** A test that is named twice counts twice, and makes errors smaller than they are. */
+static void check_tests(clod_loader *loader, const clod_hopper_strength *self)
+{
+    for (size_t i = 0; i < self->test_count; i++) {
+        for (size_t k = 0; k < i; k++) {
+            if (strcmp(self->tests[i].points, self->tests[k].points) == 0) {
+                char text[256];
+                snprintf(text, sizeof text, "has %.200s twice; leave one out",
+                         self->tests[i].points);
+                complain(loader, "flow_function.shear_tests", text);
+                return;
+            }
+        }
+    }
+}
+
 static void check_strength(clod_loader *loader, const clod_hopper_strength *self)
 {
     if (!clod_report_clean(loader->report, "flow_function")) {
@@ -33,6 +49,7 @@ static void check_strength(clod_loader *loader, const clod_hopper_strength *self
         complain(loader, "flow_function",
                  "has file and shear_tests; keep the one that the design shall use");
     }
+    check_tests(loader, self);
 }
 
 /** A property has a file or a value; an error goes with a value. */

@@ -26,6 +26,15 @@ class Refusals(hopper_case.Case):
         self.refuse("", ["is empty; clod new hopper writes an example"])
         self.refuse("- a\n", ["must be a section with keys"])
 
+    def test_a_test_that_is_named_twice(self):
+        tests = "flow_function: {shear_tests: [{points: p.csv}, {points: q.csv}, {points: p.csv}]}\nwall_friction: {angle: 18 deg}\n"
+        self.refuse(tests, ["case.yaml:1:17: flow_function.shear_tests", "p.csv twice; leave one out"])
+
+    def test_a_design_without_a_name(self):
+        for name in ("", "out/"):
+            done = self.hopper("case.yaml", "-o", name, code=2)
+            self.assertIn(f'-o "{name}" has no name; give one, e.g. -o design', done.stderr)
+
     def test_a_case_for_another_verb(self):
         clod.run("new", "hopper", cwd=self.folder)
         clod.run("new", "free-run", cwd=self.folder)
