@@ -60,7 +60,7 @@ if(CLOD_SANITIZE)
   # Shares of hundreds of repeats: numbers that do not depend on the build. The code is run by
   # calibrate/test_posterior.c, and by calibrate/test_calibrate.py, a study to its end.
   list(FILTER CLOD_TEST_SOURCES EXCLUDE REGEX
-    "calibrate/test_coverage(_growing|_specimens|_specimens_slow|)\\.c$")
+    "calibrate/test_coverage(_growing|_specimens|_specimens_slow|_four_slow|)\\.c$")
 endif()
 # The name, the folder and most labels of a test from its file.
 macro(clod_name_test)
