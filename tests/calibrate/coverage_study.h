@@ -18,6 +18,7 @@ typedef struct coverage_study_material {
     const double *noise; ///< [targets] standard deviation between packings
     const double *error; ///< [targets] of the laboratory
     void (*formula)(const double *u, double *result);
+    int64_t samples; ///< of each chain
     uint64_t repeat;
 } coverage_study_material;
 
@@ -56,7 +57,7 @@ static inline int coverage_study_repeat(const coverage_study_material *of, uint6
     plan_made plan;
     plan_make(&plan, made.parameters, made.targets);
     plan.plan.seed = (int64_t)number;
-    plan.plan.sampling.samples = 1000;
+    plan.plan.sampling.samples = made.samples;
     double result[COVERAGE_STUDY_MOST];
     made.formula(truth, result);
     for (size_t t = 0; t < made.targets; t++) {

@@ -27,7 +27,7 @@ static void formula(const double *u, double *result)
 static void the_truth_lies_in_its_intervals_as_often_as_they_say(void **state)
 {
     (void)state;
-    const coverage_study_material ore = {PARAMETERS, TARGETS, NOISE, ERROR, formula, 0};
+    const coverage_study_material ore = {PARAMETERS, TARGETS, NOISE, ERROR, formula, 5000, 0};
     double width = 0.0;
     int all = 0;
     for (uint64_t k = 0; k < REPEATS; k++) {
