@@ -20,6 +20,7 @@ typedef clod_misfit_group group;
 /** Room for one group. */
 typedef struct space {
     double *rows;   ///< [runs or specimens][count]
+    double *off;    ///< [runs] of one surrogate
     double *packed; ///< [count][count] correlation of packings
     double *part;   ///< [count][count] of the targets of one table
     double *other;  ///< [count][count]
@@ -48,21 +49,25 @@ static void settle(double *r, size_t count, double degrees, double *room)
 
 // ---- runs
 
-/** What the runs are off the surrogates. */
-static void take_residuals(const clod_misfit_runs *runs, const group *self, double *rows)
+/** What the runs are off the surrogates; false without memory. */
+static bool take_residuals(const clod_misfit_runs *runs, const group *self, space *at)
 {
     const size_t all = runs->points * (size_t)runs->plan->seeds;
     for (size_t k = 0; k < self->count; k++) {
         const size_t t = self->targets[k];
         size_t taken = 0;
+        if (runs->surrogates[t] != NULL &&
+            !clod_surrogate_residuals(runs->surrogates[t], at->off)) {
+            return false;
+        }
         for (size_t row = 0; row < all; row++) {
             const bool has = runs->surrogates[t] != NULL &&
                              isfinite(runs->results[row * runs->plan->target_count + t]);
-            rows[row * self->count + k] =
-                has ? clod_surrogate_residual(runs->surrogates[t], taken) : (double)NAN;
+            at->rows[row * self->count + k] = has ? at->off[taken] : (double)NAN;
             taken += has ? 1 : 0;
         }
     }
+    return true;
 }
 
 /** Coefficients of the surrogates: those of the one with the most. */
@@ -108,7 +113,7 @@ static void take_packings(const clod_misfit_runs *runs, const group *self, doubl
     }
 }
 
-static void fill_runs(const clod_misfit_runs *runs, group *self, space *at)
+static bool fill_runs(const clod_misfit_runs *runs, group *self, space *at)
 {
     const size_t all = runs->points * (size_t)runs->plan->seeds;
     clod_correlate_rows of = {.values = at->rows,
@@ -116,7 +121,9 @@ static void fill_runs(const clod_misfit_runs *runs, group *self, space *at)
                               .count = self->count,
                               .block = all,
                               .lost = coefficients(runs, self)};
-    take_residuals(runs, self, at->rows);
+    if (!take_residuals(runs, self, at)) {
+        return false;
+    }
     const double degrees = clod_correlate(&of, self->runs);
     clod_correlate_complete(self->runs, NULL, self->count);
     settle(self->runs, self->count, degrees, at->test);
@@ -125,6 +132,7 @@ static void fill_runs(const clod_misfit_runs *runs, group *self, space *at)
     of.lost = 0;
     at->packed_degrees = clod_correlate(&of, at->packed);
     clod_correlate_complete(at->packed, NULL, self->count);
+    return true;
 }
 
 // ---- the laboratory
@@ -305,19 +313,23 @@ bool clod_misfit_groups_fill(const clod_misfit_runs *runs, clod_misfit_group *se
     const size_t specimens = CLOD_PLAN_SPECIMENS * n;
     space at = {.rows =
                     clod_memory_alloc(n * (all > specimens ? all : specimens), sizeof(double)),
+                .off = clod_memory_alloc(all, sizeof(double)),
                 .packed = clod_memory_alloc(n * n, sizeof(double)),
                 .part = clod_memory_alloc(n * n, sizeof(double)),
                 .other = clod_memory_alloc(n * n, sizeof(double)),
                 .test = clod_memory_alloc(n * n, sizeof(double))};
     size_t *members = clod_memory_alloc(n, sizeof *members);
     int64_t *names = clod_memory_alloc(specimens, sizeof *names);
-    const bool good = at.rows != NULL && at.packed != NULL && at.part != NULL &&
-                      at.other != NULL && at.test != NULL && members != NULL && names != NULL;
+    bool good = at.rows != NULL && at.off != NULL && at.packed != NULL && at.part != NULL &&
+                at.other != NULL && at.test != NULL && members != NULL && names != NULL;
     if (good) {
-        fill_runs(runs, self, &at);
+        good = fill_runs(runs, self, &at);
+    }
+    if (good) {
         fill_laboratory(runs->plan, self, members, names, &at);
     }
     clod_memory_free(at.rows);
+    clod_memory_free(at.off);
     clod_memory_free(at.packed);
     clod_memory_free(at.part);
     clod_memory_free(at.other);

@@ -19,7 +19,7 @@
 #define DRAWN 1000000      ///< and the first one of what surrogates of used targets do not know
 #define DRAWN_BACK 2000000 ///< and of those held back
 
-#define MANY 256 ///< runs: with more there are fewer draws, for each is a matrix of them
+#define MANY 256 ///< points: with more there are fewer draws, for each is a matrix of them
 
 _Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_CHAIN_MOST, "chains take all parameters of a plan");
 _Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_SURROGATE_MOST,
@@ -88,11 +88,11 @@ static size_t take(const clod_posterior_runs *runs, size_t target, double *input
     return count;
 }
 
-/** Draws of what a surrogate of so many runs does not know: they take the room of those of MANY runs, or 4 draws. */
-static size_t draws_for(size_t runs)
+/** Draws of what a surrogate of so many points does not know: they take the room of those of MANY points, or 4 draws. */
+static size_t draws_for(size_t points)
 {
     const double most = (double)CLOD_POSTERIOR_DRAWS;
-    const double share = (double)MANY / (double)(runs > 0 ? runs : 1);
+    const double share = (double)MANY / (double)(points > 0 ? points : 1);
     return (size_t)fmax(4.0, fmin(most, most * share * share));
 }
 
@@ -147,7 +147,7 @@ static bool fit(const clod_posterior_runs *runs, clod_posterior *self, clod_stat
         return clod_status_fail(status, CLOD_FAILED, "No memory for the runs.");
     }
     bool good = true;
-    self->draws = draws_for(all);
+    self->draws = draws_for(runs->points);
     for (size_t t = 0; t < self->target_count && good; t++) {
         good = fit_target(runs, t, room, self, status);
     }

@@ -65,8 +65,7 @@ size_t clod_surrogate_points(const clod_surrogate_runs *runs)
     return count;
 }
 
-/** The polynomial's terms at a point. */
-static void terms_at(const clod_surrogate *self, const double *u, double *terms)
+void clod_surrogate_terms_at(const clod_surrogate *self, const double *u, double *terms)
 {
     size_t at = 0;
     terms[at++] = 1.0;
@@ -94,24 +93,36 @@ double clod_surrogate_correlation(const clod_surrogate *self, const double *a, c
     return (1.0 + r + r * r / 3.0) * exp(-r);
 }
 
-/** V: correlation of the runs' results over the process variance, noise on its diagonal. */
-static void fill_matrix(clod_surrogate *self)
+/** What the packings say beyond their means: of the noise alone. */
+typedef struct within {
+    double squares;         ///< about the means, over the variance of the noise
+    double half_logarithms; ///< half the logarithm of the determinant that the means lack
+} within;
+
+/** V: correlation of the places' means over the process variance, noise on its diagonal. */
+static within fill_matrix(clod_surrogate *self)
 {
     const bool gaussian = self->kind == CLOD_SURROGATE_GAUSSIAN;
+    within of = {0.0, 0.0};
     self->mean_growth = 0.0;
-    for (size_t i = 0; i < self->count; i++) {
-        const double *u = self->inputs + i * self->dimensions;
-        const double noise = clod_surrogate_growth(self, u);
-        self->mean_growth += noise / (double)self->count;
-        gsl_matrix_set(self->factor, i, i, gaussian ? 1.0 + self->hyper.nugget * noise : noise);
+    for (size_t i = 0; i < self->place_count; i++) {
+        const double *u = self->places + i * self->dimensions;
+        const double packings = self->packings[i];
+        const double growth = clod_surrogate_growth(self, u);
+        const double noise = gaussian ? self->hyper.nugget * growth : growth;
+        self->mean_growth += growth * packings / (double)self->count;
+        of.squares += self->squares[i] / noise;
+        of.half_logarithms += 0.5 * ((packings - 1.0) * log(noise) + log(packings));
+        gsl_matrix_set(self->factor, i, i, (gaussian ? 1.0 : 0.0) + noise / packings);
         for (size_t j = 0; j < i; j++) {
             const double r =
-                clod_surrogate_correlation(self, u, self->inputs + j * self->dimensions);
+                clod_surrogate_correlation(self, u, self->places + j * self->dimensions);
             gsl_matrix_set(self->factor, i, j, r);
             gsl_matrix_set(self->factor, j, i, r);
         }
-        terms_at(self, u, gsl_matrix_ptr(self->basis, i, 0));
+        clod_surrogate_terms_at(self, u, gsl_matrix_ptr(self->basis, i, 0));
     }
+    return of;
 }
 
 /** Sum of the logs of a Cholesky factor's diagonal. */
@@ -126,14 +137,14 @@ static double half_log_determinant(const gsl_matrix *factor)
 
 bool clod_surrogate_factor(clod_surrogate *self)
 {
-    fill_matrix(self);
+    const within packings = fill_matrix(self);
     if (gsl_linalg_cholesky_decomp1(self->factor) != GSL_SUCCESS) {
         return false;
     }
     gsl_blas_dtrsm(CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, 1.0, self->factor,
                    self->basis); // basis becomes L^-1 H
-    gsl_vector_const_view results = gsl_vector_const_view_array(self->results, self->count);
-    gsl_vector_memcpy(self->residual, &results.vector);
+    gsl_vector_const_view means = gsl_vector_const_view_array(self->means, self->place_count);
+    gsl_vector_memcpy(self->residual, &means.vector);
     gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, self->factor, self->residual);
     gsl_blas_dsyrk(CblasLower, CblasTrans, 1.0, self->basis, 0.0, self->normal);
     if (gsl_linalg_cholesky_decomp1(self->normal) != GSL_SUCCESS) {
@@ -145,10 +156,38 @@ bool clod_surrogate_factor(clod_surrogate *self)
     double square = 0.0;
     gsl_blas_ddot(self->residual, self->residual, &square);
     const double freedom = (double)(self->count - self->terms);
-    self->variance = fmax(square / freedom, self->least);
+    self->variance = fmax((square + packings.squares) / freedom, self->least);
     self->likelihood = clod_surrogate_prior(self) - 0.5 * freedom * log(self->variance) -
-                       half_log_determinant(self->factor) - half_log_determinant(self->normal);
+                       half_log_determinant(self->factor) - packings.half_logarithms -
+                       half_log_determinant(self->normal);
     return isfinite(self->likelihood);
+}
+
+/** Means of the packings of each place, and squares about them. */
+static void take_places(clod_surrogate *self, const clod_surrogate_runs *runs)
+{
+    size_t place = 0;
+    for (size_t i = 0; i < runs->count; i++) {
+        if (!is_first(runs, i)) {
+            continue;
+        }
+        double sum = 0.0, packings = 0.0, squares = 0.0;
+        for (size_t k = i; k < runs->count; k++) {
+            const bool here = same_point(runs, i, k);
+            sum += here ? runs->results[k] : 0.0;
+            packings += here ? 1.0 : 0.0;
+        }
+        const double mean = sum / packings;
+        for (size_t k = i; k < runs->count; k++) {
+            const double off = runs->results[k] - mean;
+            squares += same_point(runs, i, k) ? off * off : 0.0;
+        }
+        memcpy(self->places + place * runs->dimensions, runs->inputs + i * runs->dimensions,
+               runs->dimensions * sizeof(double));
+        self->means[place] = mean;
+        self->squares[place] = squares;
+        self->packings[place++] = packings;
+    }
 }
 
 /** Room for all arrays, and the runs copied. */
@@ -166,19 +205,26 @@ static clod_surrogate *make(const clod_surrogate_runs *runs, clod_surrogate_kind
     self->kind = kind;
     self->inputs = clod_memory_alloc(runs->count * runs->dimensions, sizeof(double));
     self->results = clod_memory_alloc(runs->count, sizeof(double));
-    self->factor = gsl_matrix_alloc(runs->count, runs->count);
-    self->basis = gsl_matrix_alloc(runs->count, terms);
+    self->place_count = clod_surrogate_points(runs);
+    self->places =
+        clod_memory_alloc(self->place_count * (runs->dimensions + 3), sizeof(double));
+    self->factor = gsl_matrix_alloc(self->place_count, self->place_count);
+    self->basis = gsl_matrix_alloc(self->place_count, terms);
     self->normal = gsl_matrix_alloc(terms, terms);
     self->beta = gsl_vector_alloc(terms);
-    self->residual = gsl_vector_alloc(runs->count);
-    if (self->inputs == NULL || self->results == NULL || self->factor == NULL ||
-        self->basis == NULL || self->normal == NULL || self->beta == NULL ||
-        self->residual == NULL) {
+    self->residual = gsl_vector_alloc(self->place_count);
+    if (self->inputs == NULL || self->results == NULL || self->places == NULL ||
+        self->factor == NULL || self->basis == NULL || self->normal == NULL ||
+        self->beta == NULL || self->residual == NULL) {
         clod_surrogate_destroy(&self);
         return NULL;
     }
     memcpy(self->inputs, runs->inputs, runs->count * runs->dimensions * sizeof(double));
     memcpy(self->results, runs->results, runs->count * sizeof(double));
+    self->means = self->places + self->place_count * runs->dimensions;
+    self->squares = self->means + self->place_count;
+    self->packings = self->squares + self->place_count;
+    take_places(self, runs);
     double largest = 0.0;
     for (size_t i = 0; i < runs->count; i++) {
         largest = fmax(largest, fabs(runs->results[i]));
@@ -264,29 +310,31 @@ void clod_surrogate_destroy(clod_surrogate **self)
     gsl_vector_free((*self)->residual);
     clod_memory_free((*self)->inputs);
     clod_memory_free((*self)->results);
+    clod_memory_free((*self)->places);
     clod_memory_free(*self);
     *self = NULL;
 }
 
 size_t clod_surrogate_room(const clod_surrogate *self)
 {
-    return self->count + 2 * self->terms;
+    return self->place_count + 2 * self->terms;
 }
 
 clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double *inputs,
                                        double *room)
 {
-    gsl_vector_view w = gsl_vector_view_array(room, self->count);
-    gsl_vector_view h = gsl_vector_view_array(room + self->count, self->terms);
-    gsl_vector_view t = gsl_vector_view_array(room + self->count + self->terms, self->terms);
-    terms_at(self, inputs, h.vector.data);
+    const size_t places = self->place_count;
+    gsl_vector_view w = gsl_vector_view_array(room, places);
+    gsl_vector_view h = gsl_vector_view_array(room + places, self->terms);
+    gsl_vector_view t = gsl_vector_view_array(room + places + self->terms, self->terms);
+    clod_surrogate_terms_at(self, inputs, h.vector.data);
     double mean;
     gsl_blas_ddot(&h.vector, self->beta, &mean);
     double left = 1.0;
     if (self->kind == CLOD_SURROGATE_GAUSSIAN) {
-        for (size_t i = 0; i < self->count; i++) {
+        for (size_t i = 0; i < places; i++) {
             room[i] =
-                clod_surrogate_correlation(self, inputs, self->inputs + i * self->dimensions);
+                clod_surrogate_correlation(self, inputs, self->places + i * self->dimensions);
         }
         gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, self->factor, &w.vector);
         double part, square;
@@ -303,11 +351,6 @@ clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double 
     double spread;
     gsl_blas_ddot(&t.vector, &t.vector, &spread);
     return (clod_surrogate_value){mean, self->variance * (left + spread)};
-}
-
-double clod_surrogate_residual(const clod_surrogate *self, size_t i)
-{
-    return gsl_vector_get(self->residual, i);
 }
 
 double clod_surrogate_likelihood(const clod_surrogate *self)

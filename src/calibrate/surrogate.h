@@ -138,9 +138,14 @@ double clod_surrogate_noise_of(const clod_surrogate *self, size_t i);
 /** Growth of the logarithm of the noise's variance over the range of an input. */
 double clod_surrogate_slope(const clod_surrogate *self, size_t dimension);
 
-/** What run number i is off the fit, L^-1 (results - H b): of all runs independent, with one variance, where
- *  the surrogate holds; of a polynomial the residual over the noise's growth since the middle. */
-double clod_surrogate_residual(const clod_surrogate *self, size_t i);
+/**
+ * What each run is off the fit, L^-1 (results - H b) with L of the runs: independent, with one variance, where
+ * the surrogate holds; of a polynomial the residuals over the noise's growth since the middle.
+ *
+ * @param residuals  [out] [runs]
+ * @return  false without memory
+ */
+bool clod_surrogate_residuals(const clod_surrogate *self, double *residuals);
 
 /** Greatest restricted log likelihood, with the log prior of the slopes, both without constants. */
 double clod_surrogate_likelihood(const clod_surrogate *self);

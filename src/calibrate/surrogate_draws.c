@@ -12,11 +12,11 @@
 #include "calibrate/surrogate_fit.h"
 
 // The more numbers a chain walks over, the more steps lie between draws that are independent. A step takes the third
-// power of the runs: with more than FEW_RUNS there are fewer of them, but LEAST_APART.
+// power of the places: with more than FEW_PLACES there are fewer of them, but LEAST_APART.
 #define FEW 3          ///< numbers: so many, and fewer, are walked over in as many steps
-#define APART 100      ///< steps from one draw to the next, for FEW numbers and FEW_RUNS
-#define LEAST_APART 10 ///< for FEW numbers and however many runs
-#define FEW_RUNS 64
+#define APART 100      ///< steps from one draw to the next, for FEW numbers and FEW_PLACES
+#define LEAST_APART 10 ///< for FEW numbers and however many places
+#define FEW_PLACES 64
 #define WARM_UP 30        ///< times the steps between draws, before the first
 #define LEAST_WARM_UP 600 ///< steps, for FEW numbers
 
@@ -56,7 +56,7 @@ static size_t steps_for(const cube *self, size_t few)
 /** Steps from one draw to the next. */
 static size_t steps_apart(const cube *self)
 {
-    const double share = FEW_RUNS / fmax(FEW_RUNS, (double)self->surrogate->count);
+    const double share = FEW_PLACES / fmax(FEW_PLACES, (double)self->surrogate->place_count);
     return steps_for(self, (size_t)fmax(LEAST_APART, APART * share * share));
 }
 

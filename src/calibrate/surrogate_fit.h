@@ -13,11 +13,20 @@
  *  opposite one, before runs are seen: noise in proportion to a number that doubles is 2 ln 2 = 1.4. */
 #define CLOD_SURROGATE_GROWTH 1.5
 
-/** With V = L L' the correlation of results, H the polynomial's terms at the runs. */
+/**
+ * With V = L L' the correlation of the means of places, H the polynomial's terms there. Runs of one place, its
+ * packings, are as good as their mean and the squares about it, so that matrices have the size of the places.
+ */
 struct clod_surrogate {
     size_t dimensions, count, terms;
     clod_surrogate_kind kind;
-    double *inputs, *results; ///< [count][dimensions], [count] owned
+    double *inputs, *results; ///< [count][dimensions], [count] owned: the runs
+    size_t place_count;
+    double *
+        places; ///< [place_count][dimensions] owned, in the order of their first runs; behind them:
+    double *means;    ///< [place_count] of the packings' results
+    double *squares;  ///< [place_count] sum of their squares about the mean
+    double *packings; ///< [place_count] how many
     clod_surrogate_hyper hyper;
     double mean_growth;   ///< of the noise's variance since the middle, over the runs
     double variance;      ///< of the process; of the noise in the middle in a polynomial
@@ -27,7 +36,7 @@ struct clod_surrogate {
     gsl_matrix *basis;    ///< L^-1 H
     gsl_matrix *normal;   ///< Cholesky factor of H' V^-1 H
     gsl_vector *beta;     ///< coefficients by generalised least squares
-    gsl_vector *residual; ///< L^-1 (results - H beta)
+    gsl_vector *residual; ///< L^-1 (means - H beta)
 };
 
 #define CLOD_SURROGATE_NUMBERS (2 * CLOD_SURROGATE_MOST + 1)
@@ -50,6 +59,9 @@ clod_surrogate *clod_surrogate_copy(const clod_surrogate *self, clod_status *sta
 
 /** Factor all at the present lengths, nugget and slopes; false when a matrix is singular. */
 bool clod_surrogate_factor(clod_surrogate *self);
+
+/** The polynomial's terms at a point. */
+void clod_surrogate_terms_at(const clod_surrogate *self, const double *u, double *terms);
 
 /** Matern 5/2 correlation of two points; 0 for a polynomial. */
 double clod_surrogate_correlation(const clod_surrogate *self, const double *a, const double *b);

@@ -7,7 +7,9 @@
 
 #include "coverage_study.h"
 
+#ifndef REPEATS
 #define REPEATS 20
+#endif
 #define PARAMETERS 4
 #define TARGETS 5
 

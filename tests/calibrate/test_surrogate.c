@@ -68,7 +68,7 @@ static void a_quadratic_is_met_exactly(void **state)
     clod_surrogate_destroy(&self);
 }
 
-#define N 7       ///< runs of the kriging test, two of them at one point
+#define N 7       ///< runs of the kriging test, three of them at one point
 #define M (N + 3) ///< with three coefficients
 #define NUGGET 0.2
 
@@ -134,7 +134,7 @@ static void fill(double a[M][M], double u[N][2])
 static void a_process_is_universal_kriging(void **state)
 {
     (void)state;
-    double u[N][2] = {{0.1, 0.2}, {0.9, 0.3}, {0.5, 0.8}, {0.2, 0.9},
+    double u[N][2] = {{0.1, 0.2}, {0.6, 0.6}, {0.5, 0.8}, {0.2, 0.9},
                       {0.7, 0.1}, {0.6, 0.6}, {0.6, 0.6}};
     const double y[N] = {1.0, 3.0, 2.5, 0.5, 4.0, 2.0, 2.6};
     double a[M][M], b[M] = {0.0};
@@ -145,6 +145,13 @@ static void a_process_is_universal_kriging(void **state)
     for (int i = 0; i < N; i++) {
         variance += y[i] * b[i] / (N - 3);
     }
+    // the determinant of the bordered matrix is that of V times that of H' V^-1 H; slopes of deviation 1.5/sqrt 2
+    double likelihood =
+        -0.5 * (N - 3) * log(variance) - 0.5 * (1.2 * 1.2 + 0.7 * 0.7) / (1.5 * 1.5 / 2.0);
+    for (int k = 0; k < M; k++) {
+        likelihood -= 0.5 * log(fabs(a[k][k]));
+    }
+    const double first = y[0] - b[N] - b[N + 1] * u[0][0] - b[N + 2] * u[0][1];
     const double at[] = {0.35, 0.45};
     const double right[M - N] = {1.0, at[0], at[1]};
     double w[M], r[N];
@@ -172,6 +179,14 @@ static void a_process_is_universal_kriging(void **state)
     check_close(told.mean, mean, 1e-12);
     check_close(told.variance, variance * left, 1e-12);
     check_close(clod_surrogate_noise(self, at), sqrt(variance * NUGGET * growth(at)), 1e-12);
+    check_close(clod_surrogate_likelihood(self), likelihood, 1e-12);
+    double off[N], squares = 0.0;
+    assert_true(clod_surrogate_residuals(self, off));
+    for (int i = 0; i < N; i++) {
+        squares += off[i] * off[i];
+    }
+    check_close(off[0], first / sqrt(1.0 + NUGGET * growth(u[0])), 1e-12);
+    check_close(squares, variance * (N - 3), 1e-12);
     clod_surrogate_destroy(&self);
 }
 
