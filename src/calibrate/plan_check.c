@@ -115,6 +115,25 @@ static void check_numbers(clod_loader *loader, const clod_plan *self)
     }
 }
 
+/** A test that no target names would be run at every point for nothing. */
+static void check_named(clod_loader *loader, const clod_plan *self)
+{
+    for (size_t k = 0; k < self->test_count; k++) {
+        bool named = false;
+        for (size_t m = 0; m < self->wish_count; m++) {
+            named = named || strcmp(self->wishes[m].test, self->tests[k].name) == 0;
+        }
+        if (!named) {
+            char path[PATH];
+            snprintf(path, sizeof path, "tests.%.60s", self->tests[k].name);
+            clod_check_fail(
+                loader, path,
+                "no target names this test, so its run at every point would tell nothing; give it "
+                "one, with held_back: true if it is only to be predicted, or remove the test");
+        }
+    }
+}
+
 void clod_plan_check(clod_loader *loader, clod_plan *self)
 {
     check_numbers(loader, self);
@@ -127,5 +146,8 @@ void clod_plan_check(clod_loader *loader, clod_plan *self)
     }
     if (loader->report->count == 0 && !loader->report->lost) {
         clod_plan_make_targets(loader, self);
+    }
+    if (loader->report->count == 0) { // or a target may have its name wrong
+        check_named(loader, self);
     }
 }

@@ -34,6 +34,9 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self);
 /** Targets that contradict each other (plan_conflicts.c). */
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
 
+/** Those of one shear test (plan_conflicts_shear.c). */
+void clod_plan_conflicts_shear(clod_loader *loader, const clod_plan *self);
+
 /** Warn of targets that are possible and hardly meant: an error above its value, a solid that gets weaker by
- *  consolidation; of a plan without complaints (plan_doubts.c). */
+ *  consolidation, or is denser at the walls of a cell; of a plan without complaints (plan_doubts.c). */
 void clod_plan_warn_doubts(clod_plan *self);

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "calibrate/number.h"
 #include "calibrate/plan_loci.h"
@@ -13,99 +14,6 @@
 #include "config/testers.h"
 
 #define FIRM CLOD_PLAN_FIRM_ERRORS
-
-/** Target of a test with this number, or NULL. */
-static const clod_plan_target *with(const clod_plan *self, size_t test, const char *number)
-{
-    for (size_t k = 0; k < self->target_count; k++) {
-        if (self->targets[k].test == test && strcmp(self->targets[k].number, number) == 0) {
-            return &self->targets[k];
-        }
-    }
-    return NULL;
-}
-
-/** Two numbers of a shear test of which one is at least so many times the other. */
-typedef struct order {
-    const char *less, *more;
-    double times;
-    const char *why;
-} order;
-
-// The steady circle goes through preshear and touches the yield locus; phi_e is the steepest line through the
-// origin that meets it, and touches it too.
-static const order ORDERS[] = {
-    {"phi_lin", "phi_e", 1.0, "which no yield locus with a cohesion of 0 or more can have"},
-    {"phi_sf", "phi_e", 1.0,
-     "which is the steepest line through the origin that meets the circle of steady flow"},
-    {"c", "sigma_c", 2.0,
-     "and sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) is not below 2 c at any angle"},
-    {"sigma_2", "sigma_1", 1.0, "the major principal stress"},
-};
-
-static void check_order(clod_loader *loader, const clod_plan *self, size_t test,
-                        const order *of)
-{
-    const clod_plan_target *less = with(self, test, of->less);
-    const clod_plan_target *more = with(self, test, of->more);
-    if (less == NULL || more == NULL || more->curve != NULL ||
-        of->times * less->value - more->value <=
-            FIRM * hypot(of->times * less->error, more->error)) {
-        return;
-    }
-    const clod_plan_measure *unit = &more->measure;
-    clod_check_fail(
-        loader, "targets",
-        "test %s: %s %.*f %s in targets.%zu is below %s%s %.*f %s in targets.%zu, %s; are "
-        "they interchanged, or of different consolidations?",
-        self->tests[test].name, of->more, unit->digits, unit->factor * more->value, unit->unit,
-        more->entry, of->times > 1.0 ? "twice the " : "", of->less, unit->digits,
-        unit->factor * less->value, unit->unit, less->entry, of->why);
-}
-
-/** sigma_1 is the right end of a circle through preshear, and tan(phi_sf) is tau_p over its stress. */
-static void check_preshear(clod_loader *loader, const clod_plan *self, size_t test)
-{
-    const double stress = clod_case_shear(self->tests[test].middle)->preshear_stress;
-    const clod_plan_target *major = with(self, test, "sigma_1");
-    if (major != NULL && stress - major->value > FIRM * major->error) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: sigma_1 %.4g kPa in targets.%zu is below the preshear stress of the case, "
-            "%.4g kPa: no circle through preshear ends there; give the sigma_1 of that "
-            "consolidation, or the test its preshear stress",
-            self->tests[test].name, 1e-3 * major->value, major->entry, 1e-3 * stress);
-    }
-    const clod_plan_target *angle = with(self, test, "phi_sf");
-    const clod_plan_target *shear = with(self, test, "tau_p");
-    if (angle == NULL || shear == NULL) {
-        return;
-    }
-    const double of_shear = atan2(shear->value, stress);
-    const double slope =
-        stress / (stress * stress + shear->value * shear->value); // of the angle over tau_p
-    if (fabs(of_shear - angle->value) > FIRM * hypot(angle->error, slope * shear->error)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: phi_sf %.1f deg in targets.%zu is not that of tau_p %.4g kPa in targets.%zu "
-            "at the preshear stress of the case, %.4g kPa: %.1f deg; they contradict each other",
-            self->tests[test].name, angle->measure.factor * angle->value, angle->entry,
-            1e-3 * shear->value, shear->entry, 1e-3 * stress, angle->measure.factor * of_shear);
-    }
-}
-
-static void check_shear_tests(clod_loader *loader, const clod_plan *self)
-{
-    for (size_t t = 0; t < self->test_count; t++) {
-        if (clod_test_kinds_of(self->tests[t].middle)->numbers != CLOD_NUMBERS_SHEAR) {
-            continue;
-        }
-        for (size_t k = 0; k < sizeof ORDERS / sizeof ORDERS[0]; k++) {
-            check_order(loader, self, t, &ORDERS[k]);
-        }
-        check_preshear(loader, self, t);
-    }
-}
 
 /** The same number twice: once is enough, or the values are two specimens'. */
 static void check_twice(clod_loader *loader, const clod_plan *self)
@@ -124,6 +32,53 @@ static void check_twice(clod_loader *loader, const clod_plan *self)
                     a->name, a->measure.factor * a->value, a->measure.unit, a->entry,
                     b->measure.factor * b->value, b->measure.unit, b->entry, apart);
             }
+        }
+    }
+}
+
+/** Whether two paths lead to one file. */
+static bool is_one_file(const char *one, const char *other)
+{
+    struct stat a, b;
+    return strcmp(one, other) == 0 || (stat(one, &a) == 0 && stat(other, &b) == 0 &&
+                                       a.st_dev == b.st_dev && a.st_ino == b.st_ino);
+}
+
+/** A target that two entries make of the same row of a table; NULL: there is none. */
+static const clod_plan_target *shared(const clod_plan *self, size_t entry, size_t other)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        const clod_plan_target *a = &self->targets[k];
+        for (size_t m = 0; m < self->target_count && a->entry == entry; m++) {
+            const clod_plan_target *b = &self->targets[m];
+            if (b->entry == other && a->test == b->test && strcmp(a->name, b->name) == 0) {
+                return a;
+            }
+        }
+    }
+    return NULL;
+}
+
+/** The same rows of a table in two entries. */
+static void check_tables(clod_loader *loader, const clod_plan *self)
+{
+    for (size_t k = 0; k < self->wish_count; k++) {
+        for (size_t m = 0; m < k; m++) {
+            const char *one = self->wishes[m].locus, *other = self->wishes[k].locus;
+            const clod_plan_target *twice =
+                one != NULL && other != NULL && is_one_file(one, other) ? shared(self, m, k)
+                                                                        : NULL;
+            if (twice == NULL) {
+                continue;
+            }
+            char path[48];
+            snprintf(path, sizeof path, "targets.%zu.locus", k);
+            clod_check_fail(
+                loader, path,
+                "is the table of targets.%zu, and %s is in both: one measurement would count as two. Leave "
+                "one of them out; other specimens are further rows of the table, with a column seed",
+                m, twice->name);
+            break;
         }
     }
 }
@@ -248,8 +203,9 @@ static void check_density(clod_loader *loader, const clod_plan *self)
 
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self)
 {
-    check_shear_tests(loader, self);
+    clod_plan_conflicts_shear(loader, self);
     check_twice(loader, self);
+    check_tables(loader, self);
     clod_plan_loci_check(loader, self);
     check_ffc(loader, self);
     check_density(loader, self);

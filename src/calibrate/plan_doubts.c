@@ -132,6 +132,38 @@ static void warn_of_number(clod_plan *self, clod_field_index number)
     }
 }
 
+// ---- density away from the walls
+
+static bool is_of(const clod_plan_target *self, const clod_plan_target *other,
+                  const char *number)
+{
+    return self->test == other->test && strcmp(self->number, number) == 0 &&
+           fabs(self->normal_stress - other->normal_stress) <=
+               CLOD_NUMBER_SAME_STRESS * other->normal_stress;
+}
+
+/** Warn of a solid that is looser inside than with the gaps that grains leave at walls. */
+static void warn_of_inside(clod_plan *self)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        const clod_plan_target *whole = &self->targets[k];
+        for (size_t m = 0; m < self->target_count && strcmp(whole->number, "rho_b") == 0; m++) {
+            const clod_plan_target *inside = &self->targets[m];
+            const double errors =
+                (whole->value - inside->value) / hypot(whole->error, inside->error);
+            if (is_of(inside, whole, "rho_inside") && errors > CLOD_PLAN_FIRM_ERRORS) {
+                clod_warning_list_add(
+                    &self->warnings,
+                    "test %s: rho_inside %.0f kg/m3 in targets.%zu is below rho_b %.0f kg/m3 in targets.%zu, by "
+                    "%.1f standard errors: grains leave gaps at the walls of a cell, so the whole of it is the "
+                    "looser one. Are the two interchanged?",
+                    self->tests[whole->test].name, inside->value, inside->entry, whole->value,
+                    whole->entry, errors);
+            }
+        }
+    }
+}
+
 void clod_plan_warn_doubts(clod_plan *self)
 {
     // a warning, not a refusal: that two cases name their material alike does not make them one solid
@@ -141,4 +173,5 @@ void clod_plan_warn_doubts(clod_plan *self)
     for (size_t k = 0; k < sizeof RISING / sizeof RISING[0]; k++) {
         warn_of_number(self, RISING[k]);
     }
+    warn_of_inside(self);
 }

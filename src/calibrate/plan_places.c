@@ -60,15 +60,31 @@ static const clod_param *find_row(const clod_table *table, const char *key)
     return row;
 }
 
+/** Why a key is no parameter of a solid or a wall, whatever value it takes; NULL: it may be one. */
+static const char *no_parameter(const char *key)
+{
+    if (strcmp(key, "seed") == 0) {
+        return "seed is no parameter: every packing gets a seed of its own; leave it "
+               "out, and give seeds in the plan for more packings of each point";
+    }
+    if (strcmp(key, "title") == 0) {
+        return "title is no parameter: it is the name of a run and changes nothing of it; leave it out";
+    }
+    if (strncmp(key, "output.", strlen("output.")) == 0) {
+        return "keys below output are no parameters: they say what is written and when, not how the solid "
+               "behaves; give them in the case";
+    }
+    return NULL;
+}
+
 void clod_plan_check_key(clod_loader *loader, const clod_plan_parameter *self)
 {
     char path[PATH];
     snprintf(path, sizeof path, "parameters.%.60s.key", self->name);
     const clod_param *row = find_row(&CLOD_TABLE_CASE, self->key);
-    if (strcmp(self->key, "seed") == 0) {
-        clod_check_fail(loader, path,
-                        "seed is no parameter: every packing gets a seed of its own; leave it "
-                        "out, and give seeds in the plan for more packings of each point");
+    const char *why = no_parameter(self->key);
+    if (why != NULL) {
+        clod_check_fail(loader, path, "%s", why);
     } else if (row != NULL && row->kind == CLOD_PARAM_INTEGER) {
         clod_check_fail(loader, path,
                         "%s takes whole numbers only, and a parameter takes every value "

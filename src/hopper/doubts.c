@@ -9,11 +9,8 @@
 #include "hopper/words.h"
 
 #define DEGREE (M_PI / 180.0)
-#define LEAST_TEST                                                                             \
-    100.0 // Pa: a tenth of the least preshear stress that ring shear testers are used at
-#define MOST_FFC 100.0 // the best powder testers tell an ffc of some 50
-#define DENSER 1.03    // away from the walls of a cell: more than a density is measured to
-#define FEW 3 // degrees of freedom below which the scatter of specimens is hardly known
+#define DENSER 1.03 // away from the walls of a cell: more than a density is measured to
+#define FEW 3       // degrees of freedom below which the scatter of specimens is hardly known
 
 /** A state outside what was measured. */
 static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *curve,
@@ -30,51 +27,6 @@ static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *c
             "%s: at the critical outlet %s is %.3f kPa, outside what was measured, %.3f to %.3f "
             "kPa: an extrapolation.",
             name, what, 1e-3 * stress, 1e-3 * low, 1e-3 * high);
-    }
-}
-
-/** Points of a flow function that no tester gives: wrong units or columns, as a rule. */
-static void warn_strength(clod_hopper *self)
-{
-    const clod_curve *curve = &self->solid.strength;
-    for (size_t i = 0; i < curve->count; i++) {
-        const clod_curve_point *p = &curve->points[i];
-        const double ffc = p->x / (p->y + 2.0 * p->y_error);
-        if (p->y > 0.0 && ffc > MOST_FFC) {
-            clod_warning_list_add(
-                &self->warnings,
-                "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa, ffc %.0f. No tester tells "
-                "so little strength. Is its unit another one, Pa under a header in kPa for "
-                "instance?",
-                1e-3 * p->y, 1e-3 * p->x, p->x / p->y);
-        }
-        if (p->y - 2.0 * p->y_error > p->x) {
-            clod_warning_list_add(
-                &self->warnings,
-                "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa. A solid stronger than what "
-                "consolidated it was stored for long, or the columns are interchanged.",
-                1e-3 * p->y, 1e-3 * p->x);
-        }
-    }
-    for (size_t i = 1; i < curve->count; i++) {
-        const clod_curve_point *p = &curve->points[i - 1];
-        const clod_curve_point *q = &curve->points[i];
-        const double error = hypot(p->y_error, q->y_error);
-        if (p->y - q->y > fmax(2.0 * error, CLOD_DOUBTS_APART * p->y)) {
-            clod_warning_list_add(
-                &self->warnings,
-                "Flow function: f_c falls from %.6g kPa at sigma_1 %.6g kPa to %.6g kPa at %.6g "
-                "kPa, by more than its errors tell. No solid gets weaker by consolidation: are "
-                "columns or rows interchanged?",
-                1e-3 * p->y, 1e-3 * p->x, 1e-3 * q->y, 1e-3 * q->x);
-        }
-    }
-    if (curve->points[curve->count - 1].x < LEAST_TEST) {
-        clod_warning_list_add(
-            &self->warnings,
-            "Flow function: all its sigma_1 are below %.0f Pa, less than testers can do. Is "
-            "the unit of the table another one?",
-            LEAST_TEST);
     }
 }
 
@@ -389,7 +341,7 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
 
 void clod_doubts_warn(clod_hopper *self, bool one_specimen)
 {
-    warn_strength(self);
+    clod_doubts_measured(self);
     warn_large_errors(self);
     warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);

@@ -22,6 +22,14 @@ bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clo
 void clod_doubts_warn(clod_hopper *self, bool one_specimen);
 
 /**
+ * Note properties that no solid has: strengths and angles that contradict each other, strength or density that
+ * falls with consolidation; other units or columns, as a rule.
+ *
+ * Test  tests/hopper/test_doubts.py
+ */
+void clod_doubts_measured(clod_hopper *self);
+
+/**
  * Note where the wall decides by what was not measured, or another stress asks for another angle.
  *
  * Test  tests/hopper/test_wall_decides.py

@@ -46,12 +46,29 @@ class Plan(bounce.Bounce):
                     words=["plan.yaml:5:12: parameters.e.key: grains.0.count takes whole numbers only"])
         self.refuse((ends, "key: seed, from: 1, to: 9"),
                     words=["parameters.e.key: seed is no parameter: every packing gets a seed of its own"])
+        self.refuse((ends, "key: title, from: 1, to: 9"),
+                    words=["plan.yaml:5:12: parameters.e.key: title is no parameter: it is the name of a run"])
+        told = self.refuse((ends, "key: output.snapshot_interval, from: 1 ms, to: 9 ms"),
+                           words=["plan.yaml:5:12: parameters.e.key: keys below output are no parameters"])
+        self.assertEqual(told.count("no parameters"), 1)
 
         # at the key, not at a range that is as good as any
         self.refuse((ends, "key: contacts.default.restitutoin, from: 0.2, to: 0.9"),
                     words=["plan.yaml:5:12: parameters.e.key: test bounce refuses it", "did you mean restitution?"])
         self.refuse((ends, "key: contacts.default.restitution, from: -0.2, to: 0.9"),
                     words=["parameters.e.from: test bounce refuses it", "is out of range"])
+
+    def test_a_test_without_targets_is_refused(self):
+        """Its runs would tell nothing. A held-back target is enough."""
+        other = ("  bounce: {case: bounce.yaml}\n", "  bounce: {case: bounce.yaml}\n  more: {case: bounce.yaml}\n")
+        told = self.refuse(other, words=["plan.yaml:4:3: tests.more: no target names this test"])
+        self.assertIn("with held_back: true if it is only to be predicted, or remove the test", told)
+        plan = PLAN.replace(*other).replace(
+            "sampling:", "  - {test: more, number: kinetic_energy_J, value: 1e-4, error: 4e-6, held_back: true}\nsampling:")
+        self.assertIn("in order", self.calibrate(plan, "--check").stdout)
+        # a name that is wrong is told by itself
+        told = self.refuse(("test: bounce, number", "test: bonce, number"), words=["there is no test bonce"])
+        self.assertNotIn("no target names", told)
 
     def test_a_case_that_is_refused_is_told_in_one_line(self):
         """Its excerpt has no place above that of the plan."""

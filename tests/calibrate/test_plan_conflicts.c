@@ -103,6 +103,11 @@ static void results_beside_the_stress_of_preshear(void **state)
     lab_refuse(
         state, RING, "number: sigma_1, value: 52 kPa, error: 1 kPa",
         "test lab: sigma_1 52 kPa in targets.0 is below the preshear stress of the case, 54.8 kPa");
+    lab_load_good(state, RING, "number: sigma_2, value: 56.7 kPa, error: 1 kPa", &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(
+        state, RING, "number: sigma_2, value: 56.9 kPa, error: 1 kPa",
+        "test lab: sigma_2 56.9 kPa in targets.0 is above the preshear stress of the case, 54.8 kPa");
     load_both(state, "tau_p, value: 37.4 kPa, error: 3 kPa",
               "phi_sf, value: 30 deg, error: 0.5 deg");
     lab_refuse(
@@ -116,6 +121,135 @@ static void results_beside_the_stress_of_preshear(void **state)
         state, RING,
         TWO("tau_p, value: 37.4 kPa, error: 3 kPa", "phi_sf, value: 38.8 deg, error: 0.5 deg"),
         "phi_sf 38.8 deg");
+}
+
+#define THREE(one, two, three) TWO(one, two) "}, {test: lab, number: " three
+
+static void load_three(void **state, const char *one, const char *two, const char *three)
+{
+    clod_plan plan;
+    char text[512];
+    snprintf(text, sizeof text, THREE("%s", "%s", "%s"), one, two, three);
+    lab_load_good(state, RING, text, &plan);
+    clod_plan_fini(&plan);
+}
+
+// 90 - 40 = 50 kPa, and two of sqrt(2^2 + 2^2 + 1^2) = 3 kPa.
+static void strength_above_the_difference_of_principal_stresses(void **state)
+{
+#define MAJOR "sigma_1, value: 90 kPa, error: 2 kPa"
+#define MINOR "sigma_2, value: 40 kPa, error: 2 kPa"
+    load_three(state, MAJOR, MINOR, "sigma_c, value: 55.9 kPa, error: 1 kPa");
+    lab_refuse(
+        state, RING, THREE(MAJOR, MINOR, "sigma_c, value: 56.1 kPa, error: 1 kPa"),
+        "test lab: sigma_c 56.1 kPa in targets.2 is above sigma_1 - sigma_2 = 50 kPa, of targets.0 and "
+        "targets.1, and no straight yield locus has more");
+}
+
+// sin 30 is 1/2, and 2 (1/2)/(3/2) of 90 kPa is 60 kPa. 3 deg of 90 2 cos 30/(3/2)^2 = 69.28 kPa/rad are 3.628 kPa;
+// two of sqrt(2^2 + (3 2/3)^2 + 3.628^2) = 4.600 kPa are 9.20 kPa.
+static void strength_above_that_of_an_effective_angle(void **state)
+{
+#define ANGLE "phi_e, value: 30 deg, error: 3 deg"
+#define STRESS "sigma_1, value: 90 kPa, error: 3 kPa"
+    load_three(state, ANGLE, STRESS, "sigma_c, value: 69.1 kPa, error: 2 kPa");
+    lab_refuse(
+        state, RING, THREE(ANGLE, STRESS, "sigma_c, value: 69.3 kPa, error: 2 kPa"),
+        "test lab: sigma_c 69.3 kPa in targets.2 is above sigma_1 2 sin(phi_e)/(1 + sin(phi_e)) = 60 kPa, of "
+        "sigma_1 90 kPa in targets.1 and phi_e 30.0 deg in targets.0, and no straight yield locus has more");
+}
+
+// sin 40 is 0.64279: 1.64279/1.28558 = 1.2779. 3 deg of cos 40/(2 sin^2 40) = 0.92702 are 0.04854; two of
+// sqrt(0.1^2 + 0.04854^2) = 0.11116 are 0.2223: 1.0555.
+static void ffc_below_that_of_an_effective_angle(void **state)
+{
+    load_both(state, "phi_e, value: 40 deg, error: 3 deg", "ffc, value: 1.06, error: 0.1");
+    lab_refuse(
+        state, RING, TWO("phi_e, value: 40 deg, error: 3 deg", "ffc, value: 1.05, error: 0.1"),
+        "test lab: ffc 1.05 in targets.1 is below (1 + sin(phi_e))/(2 sin(phi_e)) = 1.278, of phi_e 40.0 deg in "
+        "targets.0, and no straight yield locus has less");
+}
+
+// 2 tan 85 = 22.860 without phi_lin: two of sqrt(1.5^2 + (0.1 22.860)^2) = 2.734 kPa above it are 28.33 kPa. With
+// phi_lin 30 deg it is 2 tan 60 = 3.4641, whose slope is 2/(1 - 1/2) = 4: two of
+// sqrt(0.2^2 + (0.1 3.4641)^2 + (4 2 pi/180)^2) = 0.4237 kPa above 3.4641 are 4.311 kPa.
+static void cohesion_too_small_for_a_strength(void **state)
+{
+#define COHESION "c, value: 1 kPa, error: 0.1 kPa"
+#define FRICTION "phi_lin, value: 30 deg, error: 2 deg"
+    load_both(state, COHESION, "sigma_c, value: 28.2 kPa, error: 1.5 kPa");
+    lab_refuse(
+        state, RING, TWO(COHESION, "sigma_c, value: 28.5 kPa, error: 1.5 kPa"),
+        "test lab: sigma_c 28.5 kPa in targets.1 is too large for c 1 kPa in targets.0: sigma_c = 2 c "
+        "cos(phi_lin)/(1 - sin(phi_lin)) is 22.86 kPa with phi_lin 80.0 deg, the largest that clod locus takes");
+    load_three(state, COHESION, FRICTION, "sigma_c, value: 4.3 kPa, error: 0.2 kPa");
+    lab_refuse(
+        state, RING, THREE(COHESION, FRICTION, "sigma_c, value: 4.33 kPa, error: 0.2 kPa"),
+        "test lab: sigma_c 4.33 kPa in targets.2 is too large for c 1 kPa in targets.0: sigma_c = 2 c "
+        "cos(phi_lin)/(1 - sin(phi_lin)) is 3.464 kPa with phi_lin 30.0 deg, of targets.1");
+}
+
+// Of 27.4 and 40 kPa of normal stress: two of sqrt(1 + 1) kPa are 2.83 kPa.
+static void shear_stresses_that_fall_with_the_normal_stress(void **state)
+{
+#define POINT(stress, value)                                                                   \
+    "tau, normal_stress: " stress ", value: " value " kPa, error: 1 kPa"
+    load_both(state, POINT("27.4 kPa", "20"), POINT("40 kPa", "17.2"));
+    load_both(state, POINT("40 kPa", "17.2"), POINT("27.4 kPa", "20"));
+    load_both(state, POINT("27.4 kPa", "20"), POINT("40 kPa", "40"));
+    lab_refuse(
+        state, RING, TWO(POINT("27.4 kPa", "20"), POINT("40 kPa", "17.1")),
+        "test lab: tau falls from 20 kPa at 27.4 kPa in targets.0 to 17.1 kPa at 40 kPa in targets.1, and a "
+        "yield locus rises with the normal stress");
+    lab_refuse(
+        state, RING, TWO(POINT("40 kPa", "17.1"), POINT("27.4 kPa", "20")),
+        "test lab: tau falls from 20 kPa at 27.4 kPa in targets.1 to 17.1 kPa at 40 kPa in targets.0");
+}
+
+#define LINE_LAB                                                                               \
+    "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"                \
+    "54.8,37,10.96,15.48,1500\n54.8,37,27.4,23.7,1510\n54.8,37,43.84,31.92,1505\n"
+#define AGAIN "}, {test: lab, "
+
+// Its densities are another measurement than its shear stresses.
+static void shear_points_of_one_table_twice(void **state)
+{
+    clod_plan plan;
+    lab_write_file(state, "lab.csv", LINE_LAB);
+    lab_write_file(state, "other.csv", LINE_LAB);
+    lab_load_good(state, RING,
+                  "locus: lab.csv, error: 0.5 kPa" AGAIN
+                  "locus: lab.csv, number: rho_b, error: 15 kg/m3",
+                  &plan);
+    clod_plan_fini(&plan);
+    lab_load_good(state, RING,
+                  "locus: lab.csv, error: 0.5 kPa" AGAIN "locus: other.csv, error: 0.5 kPa",
+                  &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(
+        state, RING, "locus: lab.csv, error: 0.5 kPa" AGAIN "locus: lab.csv, error: 0.5 kPa",
+        "targets.1.locus: is the table of targets.0, and lab: tau at 10.96 kPa is in both: one measurement "
+        "would count as two");
+    lab_refuse(
+        state, RING,
+        "locus: lab.csv, error: 0.5 kPa" AGAIN
+        "locus: ./lab.csv, number: tau, error: 1 kPa, held_back: true",
+        "targets.1.locus: is the table of targets.0, and lab: tau at 10.96 kPa is in both");
+}
+
+static void rows_of_one_table_twice(void **state)
+{
+#define ROW(stress) "locus: lab.csv, error: 15 kg/m3, normal_stress: " stress " kPa"
+    clod_plan plan;
+    lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n20,1500\n54.8,1600\n");
+    lab_load_good(state, UNIAXIAL, ROW("20") AGAIN ROW("54.8"), &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(
+        state, UNIAXIAL, ROW("20") AGAIN ROW("20"),
+        "targets.1.locus: is the table of targets.0, and lab: rho_b at 20 kPa is in both");
+    lab_refuse(
+        state, UNIAXIAL, ROW("54.8") AGAIN "locus: lab.csv, error: 15 kg/m3",
+        "targets.1.locus: is the table of targets.0, and lab: rho_b at 54.8 kPa is in both");
 }
 
 // The ore of both cases has 2481.3 kg/m3.
@@ -157,6 +291,13 @@ int main(void)
         TEST(strength_of_a_cohesion),
         TEST(principal_stresses_in_order),
         TEST(results_beside_the_stress_of_preshear),
+        TEST(strength_above_the_difference_of_principal_stresses),
+        TEST(strength_above_that_of_an_effective_angle),
+        TEST(ffc_below_that_of_an_effective_angle),
+        TEST(cohesion_too_small_for_a_strength),
+        TEST(shear_stresses_that_fall_with_the_normal_stress),
+        TEST(shear_points_of_one_table_twice),
+        TEST(rows_of_one_table_twice),
         TEST(bulk_density_above_that_of_the_grains),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -197,6 +197,33 @@ static void error_above_the_values_of_a_table(void **state)
         "targets.0: the error of lab: rho_b at 54.8 kPa, 2000 kg/m3, is larger than its value, 1600 kg/m3");
 }
 
+// Two of hypot(15, 20) = 25 kg/m3 are 50 kg/m3.
+static void density_that_is_smaller_away_from_the_walls(void **state)
+{
+#define DENSITIES(inside, more)                                                                \
+    "number: rho_b, value: 1300 kg/m3, error: 15 kg/m3" more                                   \
+    "}, {test: lab, number: rho_inside, value: " inside                                        \
+    " kg/m3, error: 20 kg/m3, held_back: true"
+    clod_plan plan;
+    lab_load_good(state, RING, DENSITIES("1500", ""), &plan);
+    check_warnings(&plan, 0, "");
+    lab_load_good(state, RING, DENSITIES("1251", ""), &plan);
+    check_warnings(&plan, 0, "");
+    lab_load_good(state, RING, DENSITIES("1240", ""), &plan);
+    check_warnings(
+        &plan, 1,
+        "test lab: rho_inside 1240 kg/m3 in targets.1 is below rho_b 1300 kg/m3 in targets.0, by 2.4 standard "
+        "errors: grains leave gaps at the walls of a cell");
+    lab_load_good(state, UNIAXIAL,
+                  DENSITIES("1000", ", normal_stress: 54.8 kPa") ", normal_stress: 54.8 kPa",
+                  &plan);
+    check_warnings(&plan, 1, "rho_inside 1000 kg/m3 in targets.1 is below rho_b 1300 kg/m3");
+    lab_load_good(state, UNIAXIAL,
+                  DENSITIES("1000", ", normal_stress: 54.8 kPa") ", normal_stress: 20 kPa",
+                  &plan);
+    check_warnings(&plan, 0, "");
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
 
 int main(void)
@@ -209,6 +236,7 @@ int main(void)
         TEST(uniaxial_strength_that_falls),
         TEST(error_above_its_value),
         TEST(error_above_the_values_of_a_table),
+        TEST(density_that_is_smaller_away_from_the_walls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,266 @@
+/**
+ * @file plan_conflicts_shear.c
+ * Targets of one shear test that cannot be true together.
+ */
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis/angles.h"
+#include "calibrate/number.h"
+#include "calibrate/plan_check.h"
+#include "calibrate/test_kinds.h"
+
+#define FIRM CLOD_PLAN_FIRM_ERRORS
+
+/** Target of a test with this number, or NULL. */
+static const clod_plan_target *with(const clod_plan *self, size_t test, const char *number)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        if (self->targets[k].test == test && strcmp(self->targets[k].number, number) == 0) {
+            return &self->targets[k];
+        }
+    }
+    return NULL;
+}
+
+/** Two numbers of a shear test of which one is at least so many times the other. */
+typedef struct order {
+    const char *less, *more;
+    double times;
+    const char *why;
+} order;
+
+// The steady circle goes through preshear and touches the yield locus; phi_e is the steepest line through the
+// origin that meets it, and touches it too.
+static const order ORDERS[] = {
+    {"phi_lin", "phi_e", 1.0, "which no yield locus with a cohesion of 0 or more can have"},
+    {"phi_sf", "phi_e", 1.0,
+     "which is the steepest line through the origin that meets the circle of steady flow"},
+    {"c", "sigma_c", 2.0,
+     "and sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) is not below 2 c at any angle"},
+    {"sigma_2", "sigma_1", 1.0, "the major principal stress"},
+};
+
+static void check_order(clod_loader *loader, const clod_plan *self, size_t test,
+                        const order *of)
+{
+    const clod_plan_target *less = with(self, test, of->less);
+    const clod_plan_target *more = with(self, test, of->more);
+    if (less == NULL || more == NULL || more->curve != NULL ||
+        of->times * less->value - more->value <=
+            FIRM * hypot(of->times * less->error, more->error)) {
+        return;
+    }
+    const clod_plan_measure *unit = &more->measure;
+    clod_check_fail(
+        loader, "targets",
+        "test %s: %s %.*f %s in targets.%zu is below %s%s %.*f %s in targets.%zu, %s; are "
+        "they interchanged, or of different consolidations?",
+        self->tests[test].name, of->more, unit->digits, unit->factor * more->value, unit->unit,
+        more->entry, of->times > 1.0 ? "twice the " : "", of->less, unit->digits,
+        unit->factor * less->value, unit->unit, less->entry, of->why);
+}
+
+/** sigma_2 and sigma_1 are the ends of a circle through preshear. */
+static void check_ends(clod_loader *loader, const clod_plan *self, size_t test, double stress)
+{
+    const clod_plan_target *major = with(self, test, "sigma_1");
+    if (major != NULL && stress - major->value > FIRM * major->error) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: sigma_1 %.4g kPa in targets.%zu is below the preshear stress of the case, "
+            "%.4g kPa: no circle through preshear ends there; give the sigma_1 of that "
+            "consolidation, or the test its preshear stress",
+            self->tests[test].name, 1e-3 * major->value, major->entry, 1e-3 * stress);
+    }
+    const clod_plan_target *minor = with(self, test, "sigma_2");
+    if (minor != NULL && minor->value - stress > FIRM * minor->error) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: sigma_2 %.4g kPa in targets.%zu is above the preshear stress of the case, "
+            "%.4g kPa: no circle through preshear begins there; give the sigma_2 of that "
+            "consolidation, or the test its preshear stress",
+            self->tests[test].name, 1e-3 * minor->value, minor->entry, 1e-3 * stress);
+    }
+}
+
+/** tan(phi_sf) is tau_p over the stress of preshear. */
+static void check_preshear(clod_loader *loader, const clod_plan *self, size_t test)
+{
+    const double stress = clod_case_shear(self->tests[test].middle)->preshear_stress;
+    check_ends(loader, self, test, stress);
+    const clod_plan_target *angle = with(self, test, "phi_sf");
+    const clod_plan_target *shear = with(self, test, "tau_p");
+    if (angle == NULL || shear == NULL) {
+        return;
+    }
+    const double of_shear = atan2(shear->value, stress);
+    const double slope =
+        stress / (stress * stress + shear->value * shear->value); // of the angle over tau_p
+    if (fabs(of_shear - angle->value) > FIRM * hypot(angle->error, slope * shear->error)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: phi_sf %.1f deg in targets.%zu is not that of tau_p %.4g kPa in targets.%zu "
+            "at the preshear stress of the case, %.4g kPa: %.1f deg; they contradict each other",
+            self->tests[test].name, angle->measure.factor * angle->value, angle->entry,
+            1e-3 * shear->value, shear->entry, 1e-3 * stress, angle->measure.factor * of_shear);
+    }
+}
+
+// ---- the strength of a straight yield locus
+
+/** sqrt(a^2 + b^2 + c^2), as of errors. */
+static double root(double a, double b, double c)
+{
+    return hypot(hypot(a, b), c);
+}
+
+/**
+ * The circle of sigma_c ends at the origin and touches the same straight line as that of steady flow, which ends at
+ * sigma_2 >= 0. With an angle of 0 or more it is not the larger one: sigma_c <= sigma_1 - sigma_2.
+ */
+static void check_circles(clod_loader *loader, const clod_plan *self, size_t test)
+{
+    const clod_plan_target *strength = with(self, test, "sigma_c");
+    const clod_plan_target *major = with(self, test, "sigma_1");
+    const clod_plan_target *minor = with(self, test, "sigma_2");
+    if (strength == NULL || major == NULL || minor == NULL || strength->curve != NULL) {
+        return;
+    }
+    const double most = major->value - minor->value;
+    if (strength->value - most > FIRM * root(strength->error, major->error, minor->error)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: sigma_c %.4g kPa in targets.%zu is above sigma_1 - sigma_2 = %.4g kPa, of targets.%zu and "
+            "targets.%zu, and no straight yield locus has more; correct or leave out one of them",
+            self->tests[test].name, 1e-3 * strength->value, strength->entry, 1e-3 * most,
+            major->entry, minor->entry);
+    }
+}
+
+/** The same by phi_e: sigma_1 - sigma_2 = sigma_1 2 s/(1 + s), s = sin(phi_e). */
+static void check_strength(clod_loader *loader, const clod_plan *self, size_t test)
+{
+    const clod_plan_target *strength = with(self, test, "sigma_c");
+    const clod_plan_target *major = with(self, test, "sigma_1");
+    const clod_plan_target *angle = with(self, test, "phi_e");
+    if (strength == NULL || major == NULL || angle == NULL || strength->curve != NULL) {
+        return;
+    }
+    const double s = sin(angle->value);
+    const double share = 2.0 * s / (1.0 + s);
+    const double slope = 2.0 * cos(angle->value) / ((1.0 + s) * (1.0 + s)); // over the angle
+    const double most = share * major->value;
+    if (strength->value - most > FIRM * root(strength->error, share * major->error,
+                                             slope * major->value * angle->error)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: sigma_c %.4g kPa in targets.%zu is above sigma_1 2 sin(phi_e)/(1 + sin(phi_e)) = %.4g kPa, of "
+            "sigma_1 %.4g kPa in targets.%zu and phi_e %.1f deg in targets.%zu, and no straight yield locus has "
+            "more; correct or leave out one of them",
+            self->tests[test].name, 1e-3 * strength->value, strength->entry, 1e-3 * most,
+            1e-3 * major->value, major->entry, angle->measure.factor * angle->value,
+            angle->entry);
+    }
+}
+
+/** The same of ffc = sigma_1/sigma_c. */
+static void check_least_ffc(clod_loader *loader, const clod_plan *self, size_t test)
+{
+    const clod_plan_target *ffc = with(self, test, "ffc");
+    const clod_plan_target *angle = with(self, test, "phi_e");
+    if (ffc == NULL || angle == NULL) {
+        return;
+    }
+    const double s = sin(angle->value);
+    const double least = (1.0 + s) / (2.0 * s);
+    const double slope = cos(angle->value) / (2.0 * s * s); // over the angle, downwards
+    if (least - ffc->value > FIRM * hypot(ffc->error, slope * angle->error)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: ffc %.4g in targets.%zu is below (1 + sin(phi_e))/(2 sin(phi_e)) = %.4g, of phi_e %.1f deg in "
+            "targets.%zu, and no straight yield locus has less; correct or leave out one of them",
+            self->tests[test].name, ffc->value, ffc->entry, least,
+            angle->measure.factor * angle->value, angle->entry);
+    }
+}
+
+/** sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) = 2 c tan(45 deg + phi_lin/2), and phi_lin has a largest value. */
+static void check_cohesion(clod_loader *loader, const clod_plan *self, size_t test)
+{
+    const clod_plan_target *cohesion = with(self, test, "c");
+    const clod_plan_target *strength = with(self, test, "sigma_c");
+    if (cohesion == NULL || strength == NULL || strength->curve != NULL) {
+        return;
+    }
+    const clod_plan_target *angle = with(self, test, "phi_lin");
+    const double phi = angle != NULL ? angle->value : CLOD_ANGLES_MOST * CLOD_NUMBER_DEGREE;
+    const double times = 2.0 * cos(phi) / (1.0 - sin(phi));
+    const double slope = angle != NULL ? 2.0 / (1.0 - sin(phi)) : 0.0; // of it over the angle
+    const double phi_error = angle != NULL ? angle->error : 0.0;
+    const double most = times * cohesion->value;
+    if (strength->value - most > FIRM * root(strength->error, times * cohesion->error,
+                                             slope * cohesion->value * phi_error)) {
+        char of[64] = "the largest that clod locus takes";
+        if (angle != NULL) {
+            snprintf(of, sizeof of, "of targets.%zu", angle->entry);
+        }
+        clod_check_fail(
+            loader, "targets",
+            "test %s: sigma_c %.4g kPa in targets.%zu is too large for c %.4g kPa in targets.%zu: "
+            "sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) is %.4g kPa with phi_lin %.1f deg, %s; "
+            "correct or leave out one of them",
+            self->tests[test].name, 1e-3 * strength->value, strength->entry,
+            1e-3 * cohesion->value, cohesion->entry, 1e-3 * most, phi / CLOD_NUMBER_DEGREE, of);
+    }
+}
+
+// ---- points of the line
+
+/** Whether it is a shear stress of the line that was given as a number. */
+static bool is_point(const clod_plan *self, size_t test, const clod_plan_target *target)
+{
+    return target->test == test && strcmp(target->number, "tau") == 0 &&
+           self->wishes[target->entry].locus == NULL;
+}
+
+/** Shear stresses of one line rise with the normal stress; of a table the line itself is looked at (clod locus). */
+static void check_points(clod_loader *loader, const clod_plan *self, size_t test)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        const clod_plan_target *low = &self->targets[k];
+        for (size_t m = 0; m < self->target_count && is_point(self, test, low); m++) {
+            const clod_plan_target *high = &self->targets[m];
+            if (is_point(self, test, high) && high->normal_stress > low->normal_stress &&
+                low->value - high->value > FIRM * hypot(low->error, high->error)) {
+                clod_check_fail(
+                    loader, "targets",
+                    "test %s: tau falls from %.4g kPa at %.4g kPa in targets.%zu to %.4g kPa at %.4g kPa in "
+                    "targets.%zu, and a yield locus rises with the normal stress; are the stresses interchanged, "
+                    "or of different consolidations?",
+                    self->tests[test].name, 1e-3 * low->value, 1e-3 * low->normal_stress,
+                    low->entry, 1e-3 * high->value, 1e-3 * high->normal_stress, high->entry);
+            }
+        }
+    }
+}
+
+void clod_plan_conflicts_shear(clod_loader *loader, const clod_plan *self)
+{
+    for (size_t t = 0; t < self->test_count; t++) {
+        if (clod_test_kinds_of(self->tests[t].middle)->numbers != CLOD_NUMBERS_SHEAR) {
+            continue;
+        }
+        for (size_t k = 0; k < sizeof ORDERS / sizeof ORDERS[0]; k++) {
+            check_order(loader, self, t, &ORDERS[k]);
+        }
+        check_preshear(loader, self, t);
+        check_circles(loader, self, t);
+        check_strength(loader, self, t);
+        check_least_ffc(loader, self, t);
+        check_cohesion(loader, self, t);
+        check_points(loader, self, t);
+    }
+}

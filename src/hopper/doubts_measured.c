@@ -1,0 +1,171 @@
+/**
+ * @file doubts_measured.c
+ * Whether each property that was measured, and strength beside friction, is one that a solid has.
+ */
+
+#include <math.h>
+#include <stdio.h>
+
+#include "hopper/doubts.h"
+
+#define DEGREE (M_PI / 180.0)
+#define LEAST_TEST                                                                             \
+    100.0 // Pa: a tenth of the least preshear stress that ring shear testers are used at
+#define MOST_FFC 100.0              // the best powder testers tell an ffc of some 50
+#define LEAST_PHI_E (20.0 * DEGREE) // bulk solids have 25 to 70 deg
+#define FIRM 2.0                    // standard errors
+
+/** Point of a curve that is nearest to a stress. */
+static const clod_curve_point *nearest(const clod_curve *curve, double stress)
+{
+    const clod_curve_point *found = &curve->points[0];
+    for (size_t i = 1; i < curve->count; i++) {
+        const clod_curve_point *point = &curve->points[i];
+        found = fabs(point->x - stress) < fabs(found->x - stress) ? point : found;
+    }
+    return found;
+}
+
+/** Whether a strength is above what consolidated the solid. */
+static bool is_above_stress(const clod_curve_point *p)
+{
+    return p->y - FIRM * p->y_error > p->x;
+}
+
+/** Points of a flow function that no tester gives: wrong units or columns, as a rule. */
+static void warn_strength(clod_hopper *self)
+{
+    const clod_curve *curve = &self->solid.strength;
+    for (size_t i = 0; i < curve->count; i++) {
+        const clod_curve_point *p = &curve->points[i];
+        const double ffc = p->x / (p->y + FIRM * p->y_error);
+        if (p->y > 0.0 && ffc > MOST_FFC) {
+            clod_warning_list_add(
+                &self->warnings,
+                "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa, ffc %.0f. No tester tells "
+                "so little strength. Is its unit another one, Pa under a header in kPa for "
+                "instance?",
+                1e-3 * p->y, 1e-3 * p->x, p->x / p->y);
+        }
+        if (is_above_stress(p)) {
+            clod_warning_list_add(
+                &self->warnings,
+                "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa. A solid stronger than what "
+                "consolidated it was stored for long, or the columns are interchanged.",
+                1e-3 * p->y, 1e-3 * p->x);
+        }
+    }
+    if (curve->points[curve->count - 1].x < LEAST_TEST) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Flow function: all its sigma_1 are below %.0f Pa, less than testers can do. Is "
+            "the unit of the table another one?",
+            LEAST_TEST);
+    }
+}
+
+/**
+ * The strength that a solid has at most: the circle of its strength ends at the origin, and touches the same line as that of steady
+ * flow, which ends at sigma_2 = sigma_1 (1 - s)/(1 + s), s = sin(phi_e). With an angle of 0 or more it is not the larger one, so
+ * f_c <= sigma_1 - sigma_2 = sigma_1 2 s/(1 + s).
+ */
+typedef struct bound {
+    double value, error;
+    double phi_e;
+} bound;
+
+static bound most_strength(const clod_solid *solid, const clod_curve_point *p)
+{
+    const double phi_e = clod_curve_at(&solid->phi_e, p->x);
+    const double s = sin(phi_e);
+    const double share = 2.0 * s / (1.0 + s);
+    const double slope = p->x * 2.0 * cos(phi_e) / ((1.0 + s) * (1.0 + s)); // over phi_e
+    return (bound){share * p->x,
+                   hypot(share * p->x_error, slope * nearest(&solid->phi_e, p->x)->y_error),
+                   phi_e};
+}
+
+/** The point that is farthest beyond what a straight yield locus allows beside phi_e. Strength after storage may be there,
+ *  and one above sigma_1 has been told. */
+static void warn_beside_friction(clod_hopper *self)
+{
+    const clod_curve *curve = &self->solid.strength;
+    const clod_curve_point *worst = NULL;
+    double most = 1.0;
+    for (size_t i = 0; i < curve->count && self->from.strength.after_storage == NULL; i++) {
+        const clod_curve_point *p = &curve->points[i];
+        const bound at = most_strength(&self->solid, p);
+        const double allowed =
+            fmax(FIRM * hypot(p->y_error, at.error), CLOD_DOUBTS_APART * at.value);
+        if (!is_above_stress(p) && p->y - at.value > allowed && p->y / at.value > most) {
+            worst = p;
+            most = p->y / at.value;
+        }
+    }
+    if (worst != NULL) {
+        const bound at = most_strength(&self->solid, worst);
+        clod_warning_list_add(
+            &self->warnings,
+            "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa, where phi_e is %.4g deg: no straight yield "
+            "locus has more than sigma_1 2 sin(phi_e)/(1 + sin(phi_e)), %.4g kPa. One of the three is wrong, "
+            "or in another unit, or of a solid that was stored (after_storage).",
+            1e-3 * worst->y, 1e-3 * worst->x, at.phi_e / DEGREE, 1e-3 * at.value);
+    }
+}
+
+/** The smallest effective angle, where no bulk solid has so small a one. */
+static void warn_friction(clod_hopper *self)
+{
+    const clod_curve *curve = &self->solid.phi_e;
+    const clod_curve_point *least = &curve->points[0];
+    for (size_t i = 1; i < curve->count; i++) {
+        least = curve->points[i].y < least->y ? &curve->points[i] : least;
+    }
+    if (least->y < LEAST_PHI_E) {
+        char at[48] = ""; // a single value is that of any stress
+        if (curve->count > 1) {
+            snprintf(at, sizeof at, " at sigma_1 %.6g kPa", 1e-3 * least->x);
+        }
+        clod_warning_list_add(
+            &self->warnings,
+            "Effective friction: phi_e is %.4g deg%s. Bulk solids have 25 to 70 deg. Is its unit another one, "
+            "rad under a header in deg for instance, or is it the angle of something else?",
+            least->y / DEGREE, at);
+    }
+}
+
+/** What is said of a property that falls. */
+typedef struct falling {
+    const char *what, *name, *unit;
+    double scale;
+    const char *weaker;
+} falling;
+
+/** Points from which a property that consolidation raises falls to the next, by more than its errors. */
+static void warn_falls(clod_hopper *self, const clod_curve *curve, const falling *of)
+{
+    for (size_t i = 1; i < curve->count; i++) {
+        const clod_curve_point *p = &curve->points[i - 1];
+        const clod_curve_point *q = &curve->points[i];
+        const double error = hypot(p->y_error, q->y_error);
+        if (p->y - q->y > fmax(FIRM * error, CLOD_DOUBTS_APART * p->y)) {
+            clod_warning_list_add(
+                &self->warnings,
+                "%s: %s falls from %.6g %s at sigma_1 %.6g kPa to %.6g %s at %.6g kPa, by more than its errors "
+                "tell. No solid gets %s by consolidation: are columns or rows interchanged?",
+                of->what, of->name, of->scale * p->y, of->unit, 1e-3 * p->x, of->scale * q->y,
+                of->unit, 1e-3 * q->x, of->weaker);
+        }
+    }
+}
+
+void clod_doubts_measured(clod_hopper *self)
+{
+    static const falling STRENGTH = {"Flow function", "f_c", "kPa", 1e-3, "weaker"};
+    static const falling DENSITY = {"Bulk density", "rho_b", "kg/m3", 1.0, "looser"};
+    warn_strength(self);
+    warn_beside_friction(self);
+    warn_falls(self, &self->solid.strength, &STRENGTH);
+    warn_friction(self);
+    warn_falls(self, &self->solid.rho, &DENSITY);
+}
