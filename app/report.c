@@ -21,7 +21,8 @@ typedef struct request {
 
 static const struct argp_option OPTIONS[] = {
     {"lab", KEY_LAB, "FILE.csv", 0,
-     "measured shear points, or wall friction over a wall test, to lay over, with the columns that clod locus reads", 0},
+     "measured shear points, or wall friction over a wall test, to lay over, with the columns that clod locus reads",
+     0},
     {"output", 'o', "FILE.html", 0, NULL, 0},
     {0},
 };
