@@ -131,6 +131,20 @@ static void a_moved_ring_takes_its_room_along(void **context)
     assert_true(clod_inside_density(&bed, &state) < 0.97 * dense);
 }
 
+/** The gap goes by the mean diameter, the density by each grain's mass. */
+static void grains_of_two_sizes(void **context)
+{
+    (void)context;
+    const clod_inside bed = {.outer = 0.1, .high = 0.05};
+    add(0.0, 0.0, 0.02);
+    add(0.0, 0.0, 0.03);
+    place[1][3] = 3.0 * RADIUS;
+    motion[1][3] = 27.0 * MASS;
+    const double gap = CLOD_INSIDE_APART * 4.0 * RADIUS; // of diameters of 2 and 6 mm
+    const double room = 3.14159265358979 * (0.1 - gap) * (0.1 - gap) * (0.05 - 2.0 * gap);
+    check(&bed, 28.0 * MASS / room, 1e-12);
+}
+
 static void a_narrow_bed_has_no_inside(void **context)
 {
     (void)context;
@@ -155,6 +169,7 @@ int main(void)
         T(a_moved_ring_takes_its_room_along),
         T(a_narrow_bed_has_no_inside),
         T(grains_count_by_their_share),
+        T(grains_of_two_sizes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

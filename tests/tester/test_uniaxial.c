@@ -55,6 +55,7 @@ static int make_cell(void **context)
         now.wall[w].shape_count = 1;
         now.wall[w].load_axis = (clod_vec3){0.0, 0.0, -1.0};
     }
+    now.shape[MOULD] = (clod_shape){.kind = CLOD_SHAPE_CYLINDER, .outer = 0.04};
     now.shape[LID] = (clod_shape){.kind = CLOD_SHAPE_ANNULUS, .center = {0.0, 0.0, LID_START}};
     now.wall[LID].load = CLOD_LOAD_STRESS;
     cell_state_make(&now.state, &now.grains, TOP - 0.003, GRAIN_MASS, now.wall, 3, DT);
@@ -197,6 +198,9 @@ static void consolidation_rests_under_its_stress(void **context)
     assert_int_equal(now.test.phase, CLOD_UNIAXIAL_CONSOLIDATE); // not at its stress yet
     assert_true(fabs(now.wall[LID].load_force / (STRESS * AREA) - 1.0) < 1e-12);
     const double at = height();
+    for (int g = 0; g < CELL_GRAINS - 1; g++) {
+        now.grains.place[g][2] = 0.02; // three of four, and whole, 9 mm and more from all walls
+    }
     look_while(CLOD_UNIAXIAL_CONSOLIDATE, 0.99 * STRESS, 5);
     assert_int_equal(now.test.phase, CLOD_UNIAXIAL_UNLOAD);
     assert_int_equal(now.test.flags, 0);
@@ -205,6 +209,8 @@ static void consolidation_rests_under_its_stress(void **context)
     assert_true(fabs(t->sigma_1 / (0.99 * STRESS) - 1.0) < 1e-12);
     assert_true(fabs(t->sigma_base / (0.9 * 0.99 * STRESS + WEIGHT) - 1.0) < 1e-12);
     assert_true(fabs(t->density / (GRAIN_MASS / (AREA * at)) - 1.0) < 1e-12);
+    const double room = 3.141592653589793 * 0.031 * 0.031 * (at - 0.018);
+    assert_true(fabs(t->inside / (0.75 * GRAIN_MASS / room) - 1.0) < 1e-12);
     // four spheres of 3 mm: 4 * 4/3 pi 27e-9 m3
     assert_true(fabs(t->solid_fraction / (4.523893421169302e-7 / (AREA * at)) - 1.0) < 1e-12);
     assert_true(fabs(now.row[CLOD_UNIAXIAL_MOULD_FORCE] / (0.099 * STRESS * AREA) - 1.0) <
