@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/input.h"
 #include "base/memory.h"
 #include "config/suggest.h"
@@ -346,6 +347,7 @@ static bool read_lines(clod_csv *self, char *text)
 
 bool clod_csv_parse(clod_csv *self, const char *text, size_t length)
 {
+    CLOD_ASSERT(self->kind->count <= CLOD_CSV_KINDS);
     if (memchr(text, '\0', length) != NULL) {
         return clod_status_fail(self->status, CLOD_USAGE,
                                 "%s: this is no text file; save the table as CSV.", self->path);

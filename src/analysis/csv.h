@@ -11,7 +11,7 @@
 #include "clod/status.h"
 
 #define CLOD_CSV_COLUMNS 64 ///< of a file, at most
-#define CLOD_CSV_KINDS 16   ///< of columns that a table knows, at most
+#define CLOD_CSV_KINDS 24   ///< of columns that a table knows, at most
 
 /** What a column means. */
 typedef struct clod_csv_column {
