@@ -36,19 +36,18 @@ static const clod_csv_column COLUMNS[] = {
     {.names = {"rho_b_error"}, .unit = "kg/m3", POINT(rho_b_error)},
 };
 
-bool clod_bulk_density_check(const clod_csv *self, double rho)
+bool clod_bulk_density_check(const clod_csv *self, const char *column, double rho)
 {
     return (rho >= RHO_LEAST && rho <= RHO_MOST) ||
-           clod_status_fail(
-               self->status, CLOD_USAGE,
-               "%s:%zu: column rho_b: %.6g kg/m3 is outside %g to %g kg/m3; is its "
-               "unit another one, [g/cm3]?",
-               self->path, self->line, rho, RHO_LEAST, RHO_MOST);
+           clod_status_fail(self->status, CLOD_USAGE,
+                            "%s:%zu: column %s: %.6g kg/m3 is outside %g to %g kg/m3; is its "
+                            "unit another one, [g/cm3]?",
+                            self->path, self->line, column, rho, RHO_LEAST, RHO_MOST);
 }
 
 static bool check_row(const clod_csv *self, const void *row)
 {
-    return clod_bulk_density_check(self, ((const point *)row)->rho_b);
+    return clod_bulk_density_check(self, "rho_b", ((const point *)row)->rho_b);
 }
 
 static const clod_csv_kind POINTS = {

@@ -9,8 +9,7 @@
 #include "hopper/words.h"
 
 #define DEGREE (M_PI / 180.0)
-#define DENSER 1.03 // away from the walls of a cell: more than a density is measured to
-#define FEW 3       // degrees of freedom below which the scatter of specimens is hardly known
+#define FEW 3 // degrees of freedom below which the scatter of specimens is hardly known
 
 /** A state outside what was measured. */
 static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *curve,
@@ -300,27 +299,6 @@ static void warn_rathole(clod_hopper *self)
     }
 }
 
-/** A cell of a few grains is looser than the same solid in a hopper: the loosest of them. */
-static void warn_narrow_cells(clod_hopper *self)
-{
-    const clod_curve_point *worst = NULL; // of a density that the case gives nothing is known
-    for (size_t i = 0; i < self->solid.rho.count; i++) {
-        const clod_curve_point *p = &self->solid.rho.points[i];
-        if (p->inside > DENSER * p->y &&
-            (worst == NULL || p->inside * worst->y > worst->inside * p->y)) {
-            worst = p;
-        }
-    }
-    if (worst != NULL) {
-        clod_warning_list_add(
-            &self->warnings,
-            "Bulk density: away from the walls of the cell it was %.0f kg/m3 at sigma_1 %.3f kPa, "
-            "%.0f %% above rho_b, %.0f kg/m3, which is used here. Hoppers are wide, so their outlets "
-            "come out too wide; give the key bulk_density.",
-            worst->inside, 1e-3 * worst->x, 100.0 * (worst->inside / worst->y - 1.0), worst->y);
-    }
-}
-
 /** Few specimens, whose scatter is hardly known. */
 static void warn_few(clod_hopper *self, const char *test, const clod_curve *curve)
 {
@@ -346,7 +324,6 @@ void clod_doubts_warn(clod_hopper *self, bool one_specimen)
     warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
     warn_rathole(self);
-    warn_narrow_cells(self);
     warn_errors(self);
     warn_few(self, "Yield loci", &self->solid.strength);
     warn_few(self, "Wall yield locus", &self->solid.wall);

@@ -22,8 +22,8 @@ bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clo
 void clod_doubts_warn(clod_hopper *self, bool one_specimen);
 
 /**
- * Note properties that no solid has: strengths and angles that contradict each other, strength or density that
- * falls with consolidation; other units or columns, as a rule.
+ * Note properties that no solid has, strengths and angles that contradict each other, strength or density that
+ * falls with consolidation: other units or columns, as a rule; and densities of narrow cells.
  *
  * Test  tests/hopper/test_doubts.py
  */

@@ -13,6 +13,7 @@
     100.0 // Pa: a tenth of the least preshear stress that ring shear testers are used at
 #define MOST_FFC 100.0              // the best powder testers tell an ffc of some 50
 #define LEAST_PHI_E (20.0 * DEGREE) // bulk solids have 25 to 70 deg
+#define DENSER 1.03                 // away from the walls: more than a density is measured to
 #define FIRM 2.0                    // standard errors
 
 /** Point of a curve that is nearest to a stress. */
@@ -159,6 +160,27 @@ static void warn_falls(clod_hopper *self, const clod_curve *curve, const falling
     }
 }
 
+/** A cell of a few grains is looser than the same solid in a hopper: the loosest of them. */
+static void warn_narrow_cells(clod_hopper *self)
+{
+    const clod_curve_point *worst = NULL;
+    for (size_t i = 0; i < self->solid.rho.count; i++) {
+        const clod_curve_point *p = &self->solid.rho.points[i];
+        if (p->inside > DENSER * p->y &&
+            (worst == NULL || p->inside * worst->y > worst->inside * p->y)) {
+            worst = p;
+        }
+    }
+    if (worst != NULL) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Bulk density: away from the walls of the cell it was %.0f kg/m3 at sigma_1 %.3f kPa, "
+            "%.0f %% above rho_b, %.0f kg/m3, which is used here. Hoppers are wide, so their outlets "
+            "come out too wide; give the key bulk_density.",
+            worst->inside, 1e-3 * worst->x, 100.0 * (worst->inside / worst->y - 1.0), worst->y);
+    }
+}
+
 void clod_doubts_measured(clod_hopper *self)
 {
     static const falling STRENGTH = {"Flow function", "f_c", "kPa", 1e-3, "weaker"};
@@ -168,4 +190,5 @@ void clod_doubts_measured(clod_hopper *self)
     warn_falls(self, &self->solid.strength, &STRENGTH);
     warn_friction(self);
     warn_falls(self, &self->solid.rho, &DENSITY);
+    warn_narrow_cells(self);
 }

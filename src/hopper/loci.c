@@ -109,7 +109,7 @@ static void join(const clod_locus *locus, clod_loci_row *row)
 }
 
 /** Rows of the loci of a study. */
-static bool rows_of(const clod_locus_study *study, const clod_hopper_case *of, clod_loci *self,
+static bool rows_of(const clod_locus_study *study, bool brings_phi_e, clod_loci *self,
                     clod_tables_notes *notes, clod_status *status)
 {
     clod_loci_row *rows = self->rows = clod_memory_alloc(study->count, sizeof *rows);
@@ -134,8 +134,7 @@ static bool rows_of(const clod_locus_study *study, const clod_hopper_case *of, c
         clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);
     }
     self->count = study->count;
-    return good && (of->phi_e.present || has_phi_e(study, status)) &&
-           share(study, self, status);
+    return good && (!brings_phi_e || has_phi_e(study, status)) && share(study, self, status);
 }
 
 bool clod_loci_find(const char *path, const char *table, char inside[PATH_MAX],
@@ -220,7 +219,7 @@ static bool evaluate(const tests *self, const clod_hopper_case *of, clod_loci *l
     clod_locus_study *study = clod_locus_study_create(self->points, self->point_count, &why);
     if (study == NULL ||
         clod_angles_check(study, self->points, self->sources, self->count, status)) {
-        good = study != NULL && rows_of(study, of, loci, notes, &why);
+        good = study != NULL && rows_of(study, !of->phi_e.present, loci, notes, &why);
         if (!good) { // of several files: the preshear stress says which
             clod_status_fail(status, why.code, "%s%s: %s", of->strength.tests[0].points,
                              self->count > 1 ? " and those after it" : "", why.text);

@@ -75,8 +75,9 @@ static const char *const SKIPPED[] = {"seeds",
 static bool check_flow(const clod_csv *self, const void *of)
 {
     row at = *(const row *)of;
-    if ((at.rho.y != 0.0 && !clod_bulk_density_check(self, at.rho.y)) || // 0: not there
-        (at.rho.inside != 0.0 && !clod_bulk_density_check(self, at.rho.inside))) {
+    if ((at.rho.y != 0.0 &&
+         !clod_bulk_density_check(self, "rho_b", at.rho.y)) || // 0: not there
+        (at.rho.inside != 0.0 && !clod_bulk_density_check(self, "rho_inside", at.rho.inside))) {
         return false;
     }
     return clod_loci_join(&at) ||

@@ -116,7 +116,7 @@ class Joint(hopper_case.Case):
         self.write("table.csv", flow + "2,1.4,48,1250,1500\n8,2.9,46,1350,1400\n")
         self.assertIn("it was 1500 kg/m3 at sigma_1 2.000 kPa, 20 % above rho_b, 1250 kg/m3", self.told())
         self.write("table.csv", flow + "2,1.4,48,1250,1.5\n8,2.9,46,1350,1400\n")
-        self.assertIn("table.csv:2: ", self.hopper("case.yaml", code=2).stderr)
+        self.assertIn("table.csv:2: column rho_inside: 1.5 kg/m3", self.hopper("case.yaml", code=2).stderr)
 
 
 if __name__ == "__main__":
