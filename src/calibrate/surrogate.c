@@ -93,6 +93,18 @@ double clod_surrogate_correlation(const clod_surrogate *self, const double *a, c
     return (1.0 + r + r * r / 3.0) * exp(-r);
 }
 
+void clod_surrogate_put_row(const clod_surrogate *self, const double *points, size_t i,
+                            double noise, gsl_matrix *v)
+{
+    const double *u = points + i * self->dimensions;
+    gsl_matrix_set(v, i, i, (self->kind == CLOD_SURROGATE_GAUSSIAN ? 1.0 : 0.0) + noise);
+    for (size_t j = 0; j < i; j++) {
+        const double r = clod_surrogate_correlation(self, u, points + j * self->dimensions);
+        gsl_matrix_set(v, i, j, r);
+        gsl_matrix_set(v, j, i, r);
+    }
+}
+
 /** What the packings say beyond their means: of the noise alone. */
 typedef struct within {
     double squares;         ///< about the means, over the variance of the noise
@@ -113,13 +125,7 @@ static within fill_matrix(clod_surrogate *self)
         self->mean_growth += growth * packings / (double)self->count;
         of.squares += self->squares[i] / noise;
         of.half_logarithms += 0.5 * ((packings - 1.0) * log(noise) + log(packings));
-        gsl_matrix_set(self->factor, i, i, (gaussian ? 1.0 : 0.0) + noise / packings);
-        for (size_t j = 0; j < i; j++) {
-            const double r =
-                clod_surrogate_correlation(self, u, self->places + j * self->dimensions);
-            gsl_matrix_set(self->factor, i, j, r);
-            gsl_matrix_set(self->factor, j, i, r);
-        }
+        clod_surrogate_put_row(self, self->places, i, noise / packings, self->factor);
         clod_surrogate_terms_at(self, u, gsl_matrix_ptr(self->basis, i, 0));
     }
     return of;

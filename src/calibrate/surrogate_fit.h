@@ -66,6 +66,10 @@ void clod_surrogate_terms_at(const clod_surrogate *self, const double *u, double
 /** Matern 5/2 correlation of two points; 0 for a polynomial. */
 double clod_surrogate_correlation(const clod_surrogate *self, const double *a, const double *b);
 
+/** Row and column i of V up to the diagonal: correlations of the points, and the noise of this one's result. */
+void clod_surrogate_put_row(const clod_surrogate *self, const double *points, size_t i,
+                            double noise, gsl_matrix *v);
+
 /** Variance of the noise of packings at a place over that in the middle of all ranges. */
 double clod_surrogate_growth(const clod_surrogate *self, const double *inputs);
 

@@ -12,17 +12,10 @@
 /** Correlation of the results of all runs over the process variance, noise on its diagonal. */
 static void fill(const clod_surrogate *self, gsl_matrix *v)
 {
-    const bool gaussian = self->kind == CLOD_SURROGATE_GAUSSIAN;
+    const double nugget = self->kind == CLOD_SURROGATE_GAUSSIAN ? self->hyper.nugget : 1.0;
     for (size_t i = 0; i < self->count; i++) {
-        const double *u = self->inputs + i * self->dimensions;
-        const double growth = clod_surrogate_growth(self, u);
-        gsl_matrix_set(v, i, i, gaussian ? 1.0 + self->hyper.nugget * growth : growth);
-        for (size_t j = 0; j < i; j++) {
-            const double r =
-                clod_surrogate_correlation(self, u, self->inputs + j * self->dimensions);
-            gsl_matrix_set(v, i, j, r);
-            gsl_matrix_set(v, j, i, r);
-        }
+        const double growth = clod_surrogate_growth(self, self->inputs + i * self->dimensions);
+        clod_surrogate_put_row(self, self->inputs, i, nugget * growth, v);
     }
 }
 
