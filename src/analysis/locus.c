@@ -247,39 +247,28 @@ bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locu
     return done || clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
 }
 
-/** Mean over the seeds; NAN when one of them is, so that nothing is left out unseen. */
+/** Mean over the seeds; NAN when one of them is, so that nothing is left out unseen. But rho_inside is the mean of those that
+ *  tell it: whether a cell is wide enough for an inside can depend on the packing. */
 static clod_locus_value combine_field(const clod_locus *loci, size_t count,
                                       clod_field_index index)
 {
-    const double n = (double)count;
-    double mean = 0.0;
+    const bool some = index == CLOD_FIELD_RHO_INSIDE;
+    double n = 0.0;
     for (size_t i = 0; i < count; i++) {
-        mean += clod_field_get(&loci[i], index).value / n;
+        n += some && isnan(clod_field_get(&loci[i], index).value) ? 0.0 : 1.0;
+    }
+    double mean = n > 0.0 ? 0.0 : (double)NAN;
+    for (size_t i = 0; i < count; i++) {
+        const double part = clod_field_get(&loci[i], index).value / n;
+        mean += some && isnan(part) ? 0.0 : part;
     }
     double squares = 0.0;
     for (size_t i = 0; i < count; i++) {
         const double off = clod_field_get(&loci[i], index).value - mean;
-        squares += off * off;
-    }
-    const double scatter = sqrt(squares / (n - 1.0));
-    return (clod_locus_value){mean, scatter / sqrt(n), scatter};
-}
-
-/** Mean over the seeds that tell it: whether a cell is wide enough for an inside can depend on the packing. */
-static clod_locus_value combine_inside(const clod_locus *loci, size_t count)
-{
-    double sum = 0.0, squares = 0.0, n = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        const double value = loci[i].rho_inside.value;
-        sum += isnan(value) ? 0.0 : value;
-        n += isnan(value) ? 0.0 : 1.0;
-    }
-    for (size_t i = 0; i < count; i++) {
-        const double off = loci[i].rho_inside.value - sum / n;
-        squares += isnan(off) ? 0.0 : off * off;
+        squares += some && isnan(off) ? 0.0 : off * off;
     }
     const double scatter = n > 1.0 ? sqrt(squares / (n - 1.0)) : (double)NAN;
-    return (clod_locus_value){n > 0.0 ? sum / n : (double)NAN, scatter / sqrt(n), scatter};
+    return (clod_locus_value){mean, scatter / sqrt(n), scatter};
 }
 
 static void combine_warnings(const clod_locus *loci, size_t count, clod_locus *self)
@@ -314,7 +303,6 @@ static void combine_values(const clod_locus *loci, size_t count, clod_locus *sel
     for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
         *clod_field_of(self, k) = combine_field(loci, count, k);
     }
-    self->rho_inside = combine_inside(loci, count);
     for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
         self->correlation[k] = (double)NAN; // as few seeds as there are tell none
     }
