@@ -2,7 +2,9 @@
 
 import concurrent.futures
 import os
+import shutil
 import subprocess
+import sys
 
 
 def run_one(clod, folder, name, case, changes, origin=None):
@@ -22,6 +24,9 @@ def run_one(clod, folder, name, case, changes, origin=None):
 
 def run_all(clod, folder, jobs, runs):
     """Run {name: (case, changes) or (case, changes, origin)}, so many side by side, on one thread each: bits do not depend on it. Exit status."""
+    if shutil.which(clod) is None:
+        print(f"there is no program {clod}; build it with make, or name it with --clod", file=sys.stderr)
+        return 2
     os.makedirs(folder, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         statuses = list(pool.map(lambda name: run_one(clod, folder, name, *runs[name]), runs))

@@ -69,6 +69,27 @@ static bool has_place(const clod_result_row *row, const clod_result_of *of, size
     return told;
 }
 
+/** Write whose numbers they are; several of one name are told apart by the stress of preshear or consolidation. */
+static void put_name(FILE *out, const clod_result_of *of, size_t count, size_t s)
+{
+    static const char *const STRESSES[] = {"sigma_p_Pa", "consolidation_stress_Pa",
+                                           "sigma_1_Pa"};
+    double stress = (double)NAN;
+    for (size_t k = 0; k < sizeof STRESSES / sizeof *STRESSES && isnan(stress); k++) {
+        stress = clod_result_table_number(of[s].from, STRESSES[k]);
+    }
+    size_t alike = 0;
+    for (size_t k = 0; k < count; k++) {
+        alike += strcmp(of[k].name, of[s].name) == 0;
+    }
+    fputs("<th>", out);
+    clod_html_text(out, of[s].name);
+    if (alike > 1 && isfinite(stress)) {
+        fprintf(out, ", %.4g&nbsp;kPa", 1e-3 * stress);
+    }
+    fputs("</th>", out);
+}
+
 /** Those of whom it is are columns, as on the page of one run. */
 static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count,
                         const clod_result_of *of, size_t count)
@@ -82,7 +103,7 @@ static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count
             "<th>quantity</th>%s",
             symbols ? " symbols" : "", symbols ? "<th></th>" : "");
     for (size_t s = 0; s < count; s++) {
-        clod_html_cell(out, "th", of[s].name);
+        put_name(out, of, count, s);
     }
     fputs("</tr></thead>\n<tbody>", out);
     for (size_t k = 0; k < row_count; k++) {
@@ -123,7 +144,7 @@ static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
     fputs("</tr></thead>\n<tbody>", out);
     for (size_t s = 0; s < count; s++) {
         fputs(of[s].mean ? "<tr class=\"mean\">" : "<tr>", out);
-        clod_html_cell(out, "th", of[s].name);
+        put_name(out, of, count, s);
         for (size_t k = 0; k < row_count; k++) {
             if (has_place(&rows[k], of, count)) {
                 put_cell(out, &of[s], &rows[k]);

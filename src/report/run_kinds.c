@@ -2,6 +2,9 @@
 
 #include <string.h>
 
+#include "analysis/measured_header.h"
+#include "base/input.h"
+#include "base/memory.h"
 #include "config/testers.h"
 #include "report/cards.h"
 #include "report/compare_figures.h"
@@ -23,6 +26,7 @@ static const clod_run_kind ROWS[CLOD_CASE_KINDS] = {
                               .cards = clod_cards_shear,
                               .put = clod_shear_put,
                               .lab = clod_shear_lab,
+                              .stress = CLOD_MEASURED_OF_SHEAR,
                               .results = clod_compare_tables_shear,
                               .figures = clod_compare_figures_shear},
     [CLOD_CASE_JENIKE] = {.text = "Jenike shear test",
@@ -30,6 +34,7 @@ static const clod_run_kind ROWS[CLOD_CASE_KINDS] = {
                           .cards = clod_cards_shear,
                           .put = clod_shear_put,
                           .lab = clod_shear_lab,
+                          .stress = CLOD_MEASURED_OF_SHEAR,
                           .results = clod_compare_tables_shear,
                           .figures = clod_compare_figures_shear},
     [CLOD_CASE_UNIAXIAL] = {.text = "Uniaxial test",
@@ -43,6 +48,7 @@ static const clod_run_kind ROWS[CLOD_CASE_KINDS] = {
                                  .cards = clod_cards_wall,
                                  .put = clod_wall_page_put,
                                  .lab = clod_wall_page_lab,
+                                 .stress = CLOD_MEASURED_OF_WALL,
                                  .results = clod_compare_tables_wall,
                                  .figures = clod_wall_compare_figures},
 };
@@ -70,6 +76,27 @@ const clod_run_kind *clod_run_kinds_of(const char *complete)
     return &ROWS[CLOD_CASE_FREE];
 }
 
+/** Whether a laboratory's table is not plainly of another kind than the run; its reader tells the rest. */
+static bool is_of_kind(const char *path, const clod_run_files *run, clod_status *status)
+{
+    static const char *const TABLES[] = {
+        [CLOD_MEASURED_OF_SHEAR] = "shear points (sigma_pre, tau_pre, sigma_sh, tau_sh)",
+        [CLOD_MEASURED_OF_WALL] = "wall friction (sigma_w, tau_w)",
+        [CLOD_MEASURED_OF_SIGMA_1] = "a flow function or bulk densities (sigma_1)"};
+    char *text;
+    size_t length;
+    clod_status ignored = {0};
+    if (!clod_input_read_regular(path, SIZE_MAX, &text, &length, &ignored)) {
+        return true; // a pipe can be read once only
+    }
+    const clod_measured_stress found = clod_measured_stress_of(text, length);
+    clod_memory_free(text);
+    return found == CLOD_MEASURED_OF_NONE || found == run->kind->stress ||
+           clod_status_fail(
+               status, CLOD_USAGE, "--lab %s: is a table of %s; the page of %s (%s) takes %s.",
+               path, TABLES[found], run->folder, run->kind->text, TABLES[run->kind->stress]);
+}
+
 json_t *clod_run_kinds_lab(const char *path, const clod_run_files *run, clod_status *status)
 {
     if (run->kind->lab == NULL) {
@@ -80,5 +107,5 @@ json_t *clod_run_kinds_lab(const char *path, const clod_run_files *run, clod_sta
             path, run->folder);
         return NULL;
     }
-    return run->kind->lab(path, status);
+    return is_of_kind(path, run, status) ? run->kind->lab(path, status) : NULL;
 }

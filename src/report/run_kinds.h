@@ -7,6 +7,7 @@
 #include <jansson.h>
 #include <stdio.h>
 
+#include "analysis/measured_header.h"
 #include "report/run_files.h"
 #include "report/sheet.h"
 
@@ -24,6 +25,7 @@ struct clod_run_kind {
 
     /** Results of a laboratory's table, owned, or NULL with status; NULL: it takes none. */
     json_t *(*lab)(const char *path, clod_status *status);
+    clod_measured_stress stress; ///< of such a table
 
     /** The table of a comparison. Errors  CLOD_FAILED: no memory. */
     bool (*results)(FILE *out, const clod_run_files *runs, size_t count, const json_t *lab,

@@ -92,6 +92,16 @@ class Report(pages.PageCase):
         said = self.made("report", "ring", "--lab", "falling.csv", code=2).stderr  # atan(-0.5)
         self.assertIn("falling.csv:2, 3, 4: the yield locus at a preshear stress of 10.000 kPa has phi_lin = -26.57 deg", said)
 
+    def test_a_laboratory_of_several_preshear_stresses(self):
+        """Columns of one name are told apart by the preshear stress, as curves are."""
+        pages.shear(self.path("ring"))
+        points = "".join(f"{s},{0.72 * s},{k * s},{(0.1375 + 0.625 * k) * s},1650\n" for s in (5, 10) for k in (0.3, 0.5, 0.75))
+        with open(self.path("lab.csv"), "w") as file:
+            file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n" + points)
+        self.made("report", "ring", "--lab", "lab.csv")
+        self.assertEqual(self.page("ring/report.html").row("quantity")[2:],
+                         ["simulation", "laboratory, 5\xa0kPa", "laboratory, 10\xa0kPa"])
+
     def test_fresh_removes_the_page(self):
         box = [clod.source("tests/restart/box.yaml"), *pages.SHORT]
         self.made("run", *box, "-o", "box", page=True)
@@ -253,6 +263,9 @@ class Report(pages.PageCase):
             file.write(pages.LAB)
         with open(self.path("design.json"), "w") as file:
             file.write("{}")
+        pages.shear(self.path("ring"))
+        pages.write(self.path("."), wall__csv="sigma_w [kPa],tau_w [kPa]\n2,0.5\n",
+                    strength__csv="sigma_1 [kPa],sigma_c [kPa]\n2,0.5\n")
         for arguments, text in ((["report"], "which run?"),
                                 (["report", "empty"], "empty is not the results folder of a run: it has no file "
                                  "case-complete.yaml. Name one, e.g. run/first."),
@@ -266,6 +279,9 @@ class Report(pages.PageCase):
                                  "run: clod report makes a page of it; clod compare takes runs"),
                                 (["report", "run", "other", "-o", "a.html"], "there are several runs"),
                                 (["report", "run", "--lab", "lab.csv"], "is no shear or wall friction test"),
+                                (["report", "ring", "--lab", "wall.csv"], "--lab wall.csv: is a table of wall friction "
+                                 "(sigma_w, tau_w); the page of ring (Ring shear test) takes shear points"),
+                                (["report", "ring", "--lab", "strength.csv"], "is a table of a flow function or bulk"),
                                 (["compare", "run", "other"], "is of another kind")):
             self.assertIn(text, self.made(*arguments, code=2).stderr)
         with open(self.path("run/series.csv"), "a") as file:
