@@ -149,19 +149,24 @@ static void warn_particles(clod_hopper *self, const char *name, const clod_hoppe
     }
 }
 
-/** An outlet that is wider than the silo above it. */
+/** The first of its outlets that is wider than the silo above. */
 static void warn_silo(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
     const double diameter = self->silo.diameter;
-    const double critical = found->number[CLOD_HOPPER_OUTLET].value;
-    const char *what =
-        found->planned > diameter ? "the outlet that is given" : "the critical outlet";
-    const double outlet = found->planned > diameter ? found->planned : critical;
-    if (diameter > 0.0 && isfinite(outlet) && outlet > diameter) {
-        clod_warning_list_add(
-            &self->warnings,
-            "%s: %s, %.6g mm, is wider than the silo, %.6g mm (silo.diameter).", name, what,
-            1e3 * outlet, 1e3 * diameter);
+    const struct {
+        const char *what;
+        double outlet;
+    } of[] = {{"the outlet that is given", found->planned},
+              {"the critical outlet", found->number[CLOD_HOPPER_OUTLET].value},
+              {"the outlet by particles", found->mechanical}};
+    for (size_t k = 0; diameter > 0.0 && k < sizeof of / sizeof *of; k++) {
+        if (isfinite(of[k].outlet) && of[k].outlet > diameter) {
+            clod_warning_list_add(
+                &self->warnings,
+                "%s: %s, %.6g mm, is wider than the silo, %.6g mm (silo.diameter).", name,
+                of[k].what, 1e3 * of[k].outlet, 1e3 * diameter);
+            return;
+        }
     }
 }
 

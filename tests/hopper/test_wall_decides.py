@@ -155,6 +155,7 @@ class WallDecides(hopper_case.Case):
         self.assertIn("Cone: the outlet that is given, 500 mm, is wider than the silo, 100 mm", told)
         self.assertRegex(warned(usual, (), silo), "Cone: the critical outlet, [0-9.]+ mm, is wider than the silo, 100 mm")
         self.assertNotIn("wider than the silo, ", warned(usual, ("--set", "cone.outlet=500 mm"), silo.replace("0.1", "3")))
+        self.assertIn("Cone: the outlet by particles, 104 mm, is wider than the silo, 100 mm", warned(FREE, (), silo + "largest_particle: 13 mm\n"))
 
     def test_friction_that_may_rise_below_the_measured_stresses_is_told(self):
         """phi_e falls by 3 deg/kPa from 46 deg at 4 kPa, and is held at 46 deg below: 52 deg at 2 kPa if it goes on. The limit is
