@@ -78,7 +78,7 @@ static const clod_param RIDGES[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "m",
-     CLOD_FROM(0, 1),
+     CLOD_ABOVE(0, 1),
      .zero_word = "auto",
      .fallback = "auto",
      .example = "3 mm",

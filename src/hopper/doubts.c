@@ -61,6 +61,12 @@ static void warn_large_errors(clod_hopper *self)
     }
 }
 
+/** Whether the limit is that of the smallest outlet at which the solid slides: the half angle itself. */
+static bool is_edge(const clod_hopper_design *at)
+{
+    return at->sticks && at->built == at->outlet;
+}
+
 /** A half angle that was given, close to the limit of mass flow or beyond it. */
 static void warn_angle(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
@@ -76,7 +82,7 @@ static void warn_angle(clod_hopper *self, const char *name, const clod_hopper_fo
             name, at->half_angle / DEGREE, (at->half_angle - at->limit) / DEGREE,
             at->limit / DEGREE);
     } else if (found->wish.half_angle > 0.0 && at->outcome != CLOD_HOPPER_FUNNEL &&
-               at->half_angle > most) {
+               !is_edge(at) && at->half_angle > most) {
         clod_warning_list_add(
             &self->warnings,
             "%s: the half angle of %.1f deg is steeper than the limit of mass flow %s, "
@@ -183,9 +189,9 @@ static void warn_no_margin(clod_hopper *self, const char *name, const clod_hoppe
     } else if (at.sticks) {
         snprintf(
             why, sizeof why,
-            "at its stresses, sigma_1 of %.3f kPa, the solid does not slide along a wall of %.1f "
-            "deg, and so does not flow",
-            1e-3 * at.state.sigma_1, built.half_angle / DEGREE);
+            "the solid would have to slide along a wall of %.1f deg where sigma_1 is %.3f kPa, "
+            "and does not; so it does not flow",
+            built.half_angle / DEGREE, 1e-3 * at.state.sigma_1);
     } else {
         snprintf(
             why, sizeof why,
@@ -196,9 +202,28 @@ static void warn_no_margin(clod_hopper *self, const char *name, const clod_hoppe
                           1e3 * found->planned, why);
 }
 
+/** Mass flow as measured, and not in too many samples. */
+static void warn_samples(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const double *share = found->share;
+    const double tail = 0.5 * (1.0 - self->from.interval.level);
+    const bool flows = found->design.outcome == CLOD_HOPPER_FLOWS ||
+                       found->design.outcome == CLOD_HOPPER_NO_ARCH;
+    if (flows && 1.0 - share[CLOD_HOPPER_FLOWS] - share[CLOD_HOPPER_NO_ARCH] > tail) {
+        char told[CLOD_WORDS_MOST];
+        clod_words_shares(found, told);
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: mass flow is what the means of the measured properties say; within their errors it "
+            "is not certain. Samples: %s.",
+            name, told);
+    }
+}
+
 static void warn_outlet(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
     if (found->planned <= 0.0) {
+        warn_samples(self, name, found);
         return;
     }
     if (found->design.outcome != CLOD_HOPPER_FUNNEL) {

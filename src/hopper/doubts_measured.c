@@ -11,9 +11,12 @@
 #define DEGREE (M_PI / 180.0)
 #define LEAST_TEST                                                                             \
     100.0 // Pa: a tenth of the least preshear stress that ring shear testers are used at
+#define MOST_TEST 1e6               // Pa: hoppers and silos have some 100 kPa at most
+#define LEAST_PHI_W (3.0 * DEGREE)  // PTFE has some 6 deg
 #define MOST_FFC 100.0              // the best powder testers tell an ffc of some 50
 #define LEAST_PHI_E (20.0 * DEGREE) // bulk solids have 25 to 70 deg
 #define DENSER 1.03                 // away from the walls: more than a density is measured to
+#define APART 10.0                  // of stresses of two tables: another unit, as a rule
 #define FIRM 2.0                    // standard errors
 
 /** Point of a curve that is nearest to a stress. */
@@ -25,6 +28,19 @@ static const clod_curve_point *nearest(const clod_curve *curve, double stress)
         found = fabs(point->x - stress) < fabs(found->x - stress) ? point : found;
     }
     return found;
+}
+
+/** Stresses that no tester of bulk solids is used at. */
+static void warn_unit(clod_hopper *self, const clod_curve *curve, const char *what,
+                      const char *stress)
+{
+    const double low = curve->points[0].x, high = curve->points[curve->count - 1].x;
+    if (curve->count > 1 && (high < LEAST_TEST || low > MOST_TEST)) {
+        clod_warning_list_add(
+            &self->warnings, "%s: all its %s are %s, %s. Is the unit of the table another one?",
+            what, stress, high < LEAST_TEST ? "below 100 Pa" : "above 1 MPa",
+            high < LEAST_TEST ? "less than testers can do" : "more than any hopper has");
+    }
 }
 
 /** Whether a strength is above what consolidated the solid. */
@@ -56,13 +72,7 @@ static void warn_strength(clod_hopper *self)
                 1e-3 * p->y, 1e-3 * p->x);
         }
     }
-    if (curve->points[curve->count - 1].x < LEAST_TEST) {
-        clod_warning_list_add(
-            &self->warnings,
-            "Flow function: all its sigma_1 are below %.0f Pa, less than testers can do. Is "
-            "the unit of the table another one?",
-            LEAST_TEST);
-    }
+    warn_unit(self, curve, "Flow function", "sigma_1");
 }
 
 /**
@@ -135,6 +145,34 @@ static void warn_friction(clod_hopper *self)
     }
 }
 
+/** Stresses and angles that no wall has. */
+static void warn_wall(clod_hopper *self)
+{
+    const clod_curve *curve = &self->solid.wall;
+    const clod_curve *strength = &self->solid.strength;
+    warn_unit(self, curve, "Wall friction", "sigma_w");
+    double least = (double)INFINITY;
+    for (size_t i = 0; i < curve->count; i++) {
+        least = fmin(least, atan2(curve->points[i].y, curve->points[i].x));
+    }
+    if (least < LEAST_PHI_W) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Wall friction: the angle is %.4g deg. The smoothest liners have some 6 deg. Is its unit another "
+            "one, rad under a header in deg for instance?",
+            least / DEGREE);
+    }
+    const double low = curve->points[0].x, high = curve->points[curve->count - 1].x;
+    const double from = strength->points[0].x, to = strength->points[strength->count - 1].x;
+    if (curve->count > 1 && (APART * high < from || low > APART * to)) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Wall friction: sigma_w of %.4g to %.4g kPa lie far from sigma_1 of the flow function, %.4g to "
+            "%.4g kPa. Is the unit of one of the tables another one?",
+            1e-3 * low, 1e-3 * high, 1e-3 * from, 1e-3 * to);
+    }
+}
+
 /** What is said of a property that falls. */
 typedef struct falling {
     const char *what, *name, *unit;
@@ -189,6 +227,7 @@ void clod_doubts_measured(clod_hopper *self)
     warn_beside_friction(self);
     warn_falls(self, &self->solid.strength, &STRENGTH);
     warn_friction(self);
+    warn_wall(self);
     warn_falls(self, &self->solid.rho, &DENSITY);
     warn_narrow_cells(self);
 }

@@ -51,7 +51,9 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     const double none = (double)NAN;
     *outcome = at.outcome;
     number[CLOD_HOPPER_LIMIT] = at.limit;
-    number[CLOD_HOPPER_HALF_ANGLE] = slides ? at.half_angle : 0.0;
+    const double angle = slides ? at.half_angle : 0.0;
+    number[CLOD_HOPPER_HALF_ANGLE] =
+        found->wish.half_angle > 0.0 ? found->wish.half_angle : angle;
     number[CLOD_HOPPER_OUTLET] = slides ? at.outlet : (double)INFINITY;
     number[CLOD_HOPPER_FLOW_FACTOR] = slides ? at.flow_factor : none;
     number[CLOD_HOPPER_SIGMA_1] = critical ? at.state.sigma_1 : none;

@@ -122,7 +122,7 @@ static const clod_table RHO_TABLE = {.title = "Bulk density.", CLOD_ROWS(RHO)};
      .kind = CLOD_PARAM_REAL,                                                                  \
      .need = CLOD_PARAM_OPTIONAL,                                                              \
      .unit = "rad",                                                                            \
-     CLOD_FROM(0, 60 * CLOD_UNIT_DEGREE),                                                      \
+     CLOD_ABOVE(0, 60 * CLOD_UNIT_DEGREE),                                                     \
      .zero_word = "auto",                                                                      \
      .fallback = "auto",                                                                       \
      .example = "20 deg",                                                                      \

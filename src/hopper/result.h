@@ -17,7 +17,7 @@
 /** Numbers of one shape. */
 typedef enum clod_hopper_number {
     CLOD_HOPPER_LIMIT,        ///< rad; 0: funnel flow
-    CLOD_HOPPER_HALF_ANGLE,   ///< rad; 0: funnel flow
+    CLOD_HOPPER_HALF_ANGLE,   ///< rad: as given, or 0: funnel flow
     CLOD_HOPPER_OUTLET,       ///< m; 0: no arch; INFINITY: none is large enough
     CLOD_HOPPER_FLOW_FACTOR,  ///< NAN: funnel flow
     CLOD_HOPPER_SIGMA_1,      ///< Pa; this to rho: NAN where there is no critical state
@@ -59,7 +59,7 @@ typedef struct clod_hopper_found {
 /** What a specimen that is in all yield loci makes of the design, alone; the wall as measured. */
 typedef struct clod_hopper_specimen {
     int64_t seed;
-    double half_angle[CLOD_HOPPER_SHAPES]; ///< rad; 0: funnel flow
+    double half_angle[CLOD_HOPPER_SHAPES]; ///< rad: as given, or 0: funnel flow
     double outlet[CLOD_HOPPER_SHAPES];     ///< m; 0: no arch; INFINITY: none is large enough
 } clod_hopper_specimen;
 

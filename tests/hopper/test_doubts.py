@@ -101,10 +101,43 @@ class Doubts(hopper_case.Case):
         self.assertEqual(len(self.told(*("3,0,1,0,48,0,38,1210,0", "6,0,2,0,48,0,38,1265,0", "12,0,3,0,48,0,38,900,0"),
                                        words="rho_b falls from 1265 kg/m3 at sigma_1 6 kPa to 900 kg/m3 at 12 kPa")), 1)
 
+    def test_stresses_and_angles_in_other_units(self):
+        """3 and 12 kPa under a header in MPa or Pa, wall stresses of kPa under one in Pa, and 22 deg in rad."""
+        usual = "3,0,1,0,48,0,38,1250,0", "12,0,3,0,48,0,38,1350,0"
+        large = "3000,0,1000,0,48,0,38,1250,0", "12000,0,3000,0,48,0,38,1350,0"
+        words = "Flow function: all its sigma_1 are above 1 MPa"
+        self.assertEqual(len(self.told(*large, words=words)), 1)
+        self.assertEqual(self.told(*usual, words=words), [])
+
+        def walls(unit, words):
+            self.write("wall.csv", f"sigma_w [{unit}],tau_w [{unit}]\n1,0.3\n4,1.2\n16,4.8\n")
+            self.write("flow.csv", HEAD + "".join(f"{row}\n" for row in usual))
+            self.write("case.yaml", "flow_function: {file: flow.csv}\nwall_friction: {file: wall.csv}\n")
+            return [text for text in self.found()["warnings"] if words in text]
+
+        self.assertEqual(len(walls("Pa", "Wall friction: all its sigma_w are below 100 Pa, less than testers can do")), 1)
+        self.assertEqual(len(walls("MPa", "Wall friction: sigma_w of 1000 to 1.6e+04 kPa lie far from sigma_1 of the flow function, 3 to 12 kPa")), 1)
+        self.assertEqual(walls("kPa", "Wall friction: "), [])
+        told = self.told(*usual, words="Wall friction: the angle", arguments=("--set", "wall_friction={angle: 0.38 deg}"))
+        self.assertEqual(len(told), 1)
+        self.assertIn("the angle is 0.38 deg. The smoothest liners have some 6 deg", told[0])
+
+    def test_mass_flow_that_half_of_the_samples_do_not_have(self):
+        """A wall of 41 deg, the limit of a solid whose phi_e is 48 deg, with an error of 5 deg: the mean slides, samples beyond do not."""
+        rows = "3,0,1,0,48,0,38,1250,0", "12,0,3,0,48,0,38,1350,0"
+        told = self.told(*rows, words="mass flow is what the means of the measured properties say",
+                         arguments=("--set", "wall_friction={angle: 36 deg, error: 5 deg}"))
+        self.assertTrue(told)
+        self.assertRegex(told[0], r"Samples: .*[0-9.]+ % in funnel flow")
+        self.assertEqual(self.told(*rows, words="mass flow is what the means"), [])
+
+    def test_a_half_angle_of_zero_is_not_auto(self):
+        self.refuse(CASE + "cone: {half_angle: 0 deg}\n", ["cone.half_angle", "above 0"])
+
     def test_a_usual_solid_has_none_of_these(self):
         self.start(CASE, ROWS)
         for text in self.found()["warnings"]:
-            for words in ("no straight yield locus", "Effective friction: ", "falls from"):
+            for words in ("no straight yield locus", "Effective friction: ", "falls from", "Wall friction: ", "mass flow is what"):
                 self.assertNotIn(words, text)
 
 

@@ -78,11 +78,22 @@ class Outlet(clod.Case):
         self.assertIsNone(found["arching_margin"]["value"])
         self.assertEqual([kind for kind, _ in said], [KINDS[0]])
         self.assertEqual(len(why), 1)
-        told = re.match(r"at its stresses, sigma_1 of ([0-9.]+) kPa, the solid does not slide "
-                        r"along a wall of ([0-9.]+) deg, and so does not flow\.$", why[0])
+        told = re.match(r"the solid would have to slide along a wall of (?P<wall>[0-9.]+) deg where sigma_1 is (?P<stress>[0-9.]+) kPa, and "
+                        r"does not; so it does not flow\.$", why[0])
         self.assertTrue(told, why)
-        self.assertLess(float(told.group(1)), 1e-3 * found["sigma_1_Pa"]["value"])
-        self.assertEqual(told.group(2), f"{found['half_angle_deg']['value']:.1f}")
+        self.assertLess(float(told["stress"]), 1e-3 * found["sigma_1_Pa"]["value"])
+        self.assertEqual(told["wall"], f"{found['half_angle_deg']['value']:.1f}")
+
+    def test_a_half_angle_that_is_given_at_the_outlet_where_the_wall_decides(self):
+        """The wall holds the solid at outlets below the critical one, whose limit is the half angle: nothing is near its
+        limit there, and the half angle is as given, with no interval."""
+        self.start(wall=ADHESIVE)
+        found = self.design("--set", "cone={half_angle: 20 deg, outlet: 10 mm}")
+        self.assertTrue(found["cone"]["outlet_by_wall"])
+        self.assertEqual(found["cone"]["half_angle_deg"], {"value": 20.0, "low": 20.0, "high": 20.0})
+        self.assertFalse([text for text in found["warnings"] if "by less than the margin" in text])
+        found = self.design("--set", "cone={half_angle: 26 deg, outlet: 1000 mm}", "--set", "wall_friction={angle: 20 deg}")
+        self.assertTrue([text for text in found["warnings"] if "by less than the margin" in text])
 
     def test_funnel_flow_has_no_margin(self):
         self.start(wall="wall_friction: {angle: 46 deg}\n")

@@ -88,6 +88,17 @@ static void limits_lie_just_above_the_closed_form(void **state)
     }
 }
 
+// Expected: the equations in steps of 2.5e-4 rad (Runge-Kutta of order 4) from the axis with many q, the largest angle at which psi
+// is that of the wall. A coarser solution, known before, has 31.28, 32.55, 27.15 and 26.14.
+static void limits_are_those_of_an_independent_solution(void **state)
+{
+    (void)state;
+    check_close(limit(CLOD_RADIAL_CONE, 30, 19), 31.3067, 0.002);
+    check_close(limit(CLOD_RADIAL_CONE, 40, 16), 32.5642, 0.002);
+    check_close(limit(CLOD_RADIAL_CONE, 40, 20), 27.1506, 0.002);
+    check_close(limit(CLOD_RADIAL_CONE, 50, 20), 26.1618, 0.002);
+}
+
 // A solution is there up to the limit and none beyond it.
 static void the_limit_parts_solutions_from_none(void **state)
 {
@@ -361,6 +372,7 @@ int main(void)
         cmocka_unit_test(flow_factors_match_an_independent_solution),
         cmocka_unit_test(charts_are_met_within_their_reading),
         cmocka_unit_test(limits_lie_just_above_the_closed_form),
+        cmocka_unit_test(limits_are_those_of_an_independent_solution),
         cmocka_unit_test(the_limit_parts_solutions_from_none),
         cmocka_unit_test(a_plane_field_ends_only_on_rough_walls_and_far_behind_a_cone),
         cmocka_unit_test(a_hopper_carries_its_weight),
