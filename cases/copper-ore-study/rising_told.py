@@ -76,7 +76,7 @@ def print_course(beds):
 
 def print_contacts(beds):
     head("test", "way [mm]", "tau [kPa]", "height [mm]", "contacts of a grain", "pull-off: mean, median, 99 % [N]",
-         "share that pull", "pressure of pushes, of pulls [kPa]", "tau / pushes")
+         "share that pull", "pressure of pushes, of pulls, of the whole bed [kPa]", "tau / pushes")
     for name, bed in beds.items():
         for way in WAYS:
             k = bed.at(way)
@@ -120,7 +120,7 @@ def print_ages(beds):
 
 def print_rises(beds):
     head("test", *(f"rise over {low}-{high} mm [kPa/mm]" for low, high in RISES),
-         "tau over mean pull-off from 10 mm on [kPa/N]", "tau / pushes from 10 mm on")
+         "tau over mean pull-off from 10 mm on [kPa/N]", "tau / pushes of the whole bed, from 10 mm on")
     for name, bed in beds.items():
         cells = []
         for low, high in RISES:
