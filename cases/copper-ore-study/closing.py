@@ -10,6 +10,7 @@ PAPER = {"ore5": 44.6, "ore8": 44.8}  # deg, the paper's DEM
 LABORATORY = {"ore5": 47.3, "ore8": 46.7}  # deg, Jenike tester
 NEAR = 2.0  # deg
 READINGS = ("phi_lin", "phi_e", "phi_sf", "highest points")  # columns of records
+COUNTED = READINGS[:3]  # the highest points follow phi_lin: no reading of their own where chance is told
 
 
 def student(x, freedom):
@@ -45,8 +46,8 @@ def chance_near(value, error, freedom, target, near=NEAR):
 
 
 def packings_of(clod, folder, kept):
-    """{(choice, ore): {reading: angles [deg] of its tests, without those that have none}}, of all tests that have
-    ended in the folder or are kept."""
+    """{(choice, ore): {reading: angles [deg] of its tests, None where one has none}}, of all tests that have ended in
+    the folder or are kept. A reading that no test has is left out."""
     rows = kept | records.of_folder(clod, folder)
     found = {}
     for choice in ["", *settings.CHOICES]:
@@ -54,9 +55,15 @@ def packings_of(clod, folder, kept):
             names = [settings.name_of(choice, seed, ore) for seed in settings.SEEDS]
             tests = [rows[name] for name in names if name in rows]
             if tests:
-                found[choice, ore] = {reading: [test[reading] for test in tests if test[reading] is not None]
-                                      for reading in READINGS}
+                angles = {reading: [test[reading] for test in tests] for reading in READINGS}
+                found[choice, ore] = {reading: all_of for reading, all_of in angles.items()
+                                      if any(angle is not None for angle in all_of)}
     return found
+
+
+def is_whole(angles):
+    """Whether every packing has the reading; a mean of the others would leave out the largest angles, where sigma_2 is tension."""
+    return None not in angles
 
 
 def probability(value):
@@ -69,7 +76,10 @@ def print_near(found):
     print("|---" * 9 + "|")
     for (choice, ore), readings in found.items():
         for reading, angles in readings.items():
-            if not angles:
+            if not is_whole(angles):
+                known = [angle for angle in angles if angle is not None]
+                print("| " + " | ".join([choice or "the case", f"{ore[3:]} %", reading,
+                                         f"{len(known)} of {len(angles)}", *["-"] * 5]) + " |")
                 continue
             middle, error = loci.mean(angles), loci.error(angles)
             near = abs(middle - PAPER[ore]) <= NEAR
@@ -83,7 +93,8 @@ def print_chance(found):
     """How likely readings that mean nothing are near: independent, uniform over the span of the means of both ores."""
     means = {ore: {(choice, reading): loci.mean(angles)
                    for (choice, of), readings in found.items() if of == ore
-                   for reading, angles in readings.items() if angles} for ore in settings.CASES}
+                   for reading, angles in readings.items()
+                   if reading in COUNTED and is_whole(angles)} for ore in settings.CASES}
     values = [angle for angles in means.values() for angle in angles.values()]
     low, high = min(values), max(values)
     shares = {ore: share_near(low, high, PAPER[ore]) for ore in means}

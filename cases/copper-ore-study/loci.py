@@ -63,6 +63,14 @@ def points_without_peak(folder, name):
     return sum("no peak" in part.get("flags", []) for part in summary(folder, name)["parts"])
 
 
+def rising(folder, name):
+    """How fast the shear stress still rose where preshear ended, and its error [kPa/mm]; 0 and None where it was steady."""
+    preshear = next(part for part in summary(folder, name)["parts"] if part["part"] == "preshear")
+    if preshear["steady"]:
+        return 0.0, None
+    return 1e-6 * preshear["shear_stress_rate_Pa_per_m"], 1e-6 * preshear["shear_stress_rate_error_Pa_per_m"]
+
+
 def rows_of(folder, name, part, phase):
     """Pairs (way [m], shear stress [Pa]) of a phase of a part."""
     with open(os.path.join(folder, name, part + ".csv")) as file:

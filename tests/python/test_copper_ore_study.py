@@ -208,15 +208,43 @@ class Tables(unittest.TestCase):
         with open(self.kept) as file:
             rows = file.read().splitlines()
         self.assertEqual(rows[0], "test,clod,phi_lin [deg],phi_e [deg],phi_sf [deg],highest points [deg],c [kPa],"
-                         "tau_p [kPa],sigma_1 [kPa],sigma_c [kPa],ffc [1],rho_b [kg/m3]")
+                         "tau_p [kPa],sigma_1 [kPa],sigma_c [kPa],ffc [1],rho_b [kg/m3],rising [kPa/mm],rising error [kPa/mm],far right [1],"
+                         "no peak [1],rho_inside [kg/m3]")
         self.assertEqual([row.split(",")[0] for row in rows[1:]], ["ore5-seed1", "ore5-seed2", "ore8-force"])
         self.assertEqual(rows[2].split(",")[1:3] + rows[2].split(",")[5:8], ["9.9", "34", "34", "8", "35"])
+        with open(os.path.join(os.path.dirname(self.kept), "points.csv")) as file:
+            points = file.read().splitlines()
+        self.assertEqual(points[0], "test,sigma_pre [Pa],tau_pre [Pa],tau_pre_error [Pa],sigma_sh [Pa],tau_sh [Pa],tau_sh_error [Pa],"
+                         "rho_b [kg/m3],rho_inside [kg/m3]")
+        self.assertEqual([row.split(",")[0] for row in points[1:]], ["ore5-seed1"] * 4 + ["ore5-seed2"] * 4 + ["ore8-force"] * 4)
+        self.assertEqual(points[1].split(",")[1:5], ["54800.0", "35000.0", "", "10960.0"])
         self.folder = os.path.join(self.folder, "other")
         write_test(self.folder, "ore5-seed2", 36.0)
         write_test(self.folder, "ore5-seed3", 42.0)
         text = self.show("closing")
         self.assertIn("| the case | 5 % | phi_lin | 3 | 36.0 ± 3.5 |", text)  # sqrt((36 + 0 + 36)/2/3) = 3.46
         self.assertIn("| coulomb: force | 8 % | phi_lin | 1 | 44.0 |", text)
+        self.show("keep")  # of the other machine: its points take the place of seed 2's, those of the others stay
+        with open(os.path.join(os.path.dirname(self.kept), "points.csv")) as file:
+            points = [row.split(",") for row in file.read().splitlines()[1:]]
+        self.assertEqual([row[0] for row in points], ["ore5-seed1"] * 4 + ["ore5-seed2"] * 4 + ["ore5-seed3"] * 4 + ["ore8-force"] * 4)
+        self.assertAlmostEqual(float(points[4][5]), 8e3 + STRESSES[0] * math.tan(math.radians(36)), delta=1e-6)
+
+    def test_what_makes_a_test_doubtful_is_kept(self):
+        """A stress that rose by 0.8 kPa/mm. The circle of steady flow through (54.8, 35) kPa touches 8 kPa + sigma tan 30 deg at 38.7
+        kPa, so the point at 43.84 kPa is 0.09 of 54.8 kPa to the right of that; a line of 34 deg at 31.4 kPa: 0.23."""
+        path = os.path.join(self.folder, "ore5-seed1", "summary.json")
+        with open(path) as file:
+            summary = json.load(file)
+        summary["parts"][0] |= {"steady": False, "shear_stress_rate_Pa_per_m": 0.8e6, "shear_stress_rate_error_Pa_per_m": 0.1e6}
+        summary["parts"].append({"part": "point-4", "flags": ["no peak"]})
+        with open(path, "w") as file:
+            json.dump(summary, file)
+        self.show("keep")
+        with open(self.kept) as file:
+            rows = [row.split(",") for row in file.read().splitlines()]
+        self.assertEqual(rows[1][12:16], ["0.8", "0.1", "0", "1"])
+        self.assertEqual(rows[2][12:16], ["0", "", "1", "0"])  # steady
 
     def test_a_number_that_is_not_there_stays_so(self):
         """tau_p 35 kPa at 54.8 kPa and a line of c 60 kPa: sigma_2 is tension, so there is no phi_e."""
@@ -232,7 +260,15 @@ class Tables(unittest.TestCase):
         self.show("keep")
         with open(self.kept) as file:
             self.assertEqual(file.read().splitlines()[1].split(",")[3], "")
-        self.assertIn("| the case | 5 % | phi_e | 1 |", self.show("closing"))
+        self.assertIn("| the case | 5 % | phi_e | 1 of 2 | - | - | - | - | - |", self.show("closing"))
+
+    def test_the_page_has_the_table_of_today(self):
+        """docs/results/copper-ore.md has the table that the kept tests give, line by line."""
+        done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", os.path.join(self.folder, "none"), "--kept",
+                               program.source("cases/copper-ore-study/tests.csv"), "--closing"], capture_output=True, text=True)
+        with open(program.source("docs/results/copper-ore.md")) as file:
+            page = file.read()
+        self.assertIn(done.stdout.strip(), page)
 
     def test_phi_sf_on_the_way(self):
         """tau is 35 kPa/15 mm; rows at 3 and 4 mm come before 5 mm: atan(3.5 * 35/15/54.8) = 8.47 degrees."""
