@@ -181,6 +181,15 @@ class Tables(unittest.TestCase):
         self.assertIn("| coulomb: force | 8 % | phi_lin | 1 | 44.0 | -0.8 | -2.7 | yes | - |", text)
         self.assertIn("with the same reading of the same setting: none of 0;", text)
 
+    def test_choices(self):
+        """30 and 34 degrees scatter by sqrt(8) = 2.8; force, 40 degrees once, is 8.0 ± 2.8 sqrt(1 + 1/2) = 3.5 above."""
+        write_test(self.folder, "ore5-force", 40.0)
+        text = self.show("choices")
+        self.assertIn("| the case | 2 | 32.0 ± 2.0 | - |", text)
+        self.assertIn("| coulomb: force | 1 | 40.0 ± 2.8 | +8.0 ± 3.5 |", text)
+        self.assertIn("phi_lin |\n", text)
+        self.assertIn("8 %: nothing to compare with: run ore8-seed1", text)
+
     def test_peaks_further_on(self):
         """Of four points, the last rises on by a tenth of 8 kPa + 43.84 kPa tan 30 degrees, and has no peak."""
         name = "ore5-10-mm-beyond-the-peak"
@@ -267,6 +276,11 @@ class Tables(unittest.TestCase):
         done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", os.path.join(self.folder, "none"), "--kept",
                                program.source("cases/copper-ore-study/tests.csv"), "--closing"], capture_output=True, text=True)
         with open(program.source("docs/results/copper-ore.md")) as file:
+            page = file.read()
+        self.assertIn(done.stdout.strip(), page)
+        done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", os.path.join(self.folder, "none"), "--kept",
+                               program.source("cases/copper-ore-study/tests.csv"), "--choices"], capture_output=True, text=True)
+        with open(program.source("docs/results/copper-ore-sensitivity.md")) as file:
             page = file.read()
         self.assertIn(done.stdout.strip(), page)
 
