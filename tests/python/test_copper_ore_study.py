@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.join(HERE, "..", "support"))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "cases", "copper-ore-study"))
 import clod as program  # noqa: E402  runs the command line
 import closing  # noqa: E402
+import doubtful  # noqa: E402
 import loci  # noqa: E402
 import settings  # noqa: E402
 
@@ -181,6 +182,15 @@ class Tables(unittest.TestCase):
         self.assertIn("| coulomb: force | 8 % | phi_lin | 1 | 44.0 | -0.8 | -2.7 | yes | - |", text)
         self.assertIn("with the same reading of the same setting: none of 0;", text)
 
+    def test_doubtful_points(self):
+        """Where the circle touches is told by hand in test_what_makes_a_test_doubtful_is_kept. At 43.84 kPa a line of 30 deg has 33.3 kPa,
+        one of 34 deg 37.6 kPa, above tau_p of 35."""
+        self.assertAlmostEqual(doubtful.touch_of(30.0, 8.0, 54.8, 35.0), 38.69, delta=0.02)
+        self.assertAlmostEqual(doubtful.touch_of(34.0, 8.0, 54.8, 35.0), 31.40, delta=0.02)
+        self.assertEqual(doubtful.touch_of(20.0, 8.0, 54.8, 35.0), 54.8)  # 27.9 kPa on the line: its parallel
+        text = self.show("doubtful")
+        self.assertIn("| the case | 5 % | 2 | 1 | 1 | +0.00 ± 0.00 |", text)
+
     def test_choices(self):
         """30 and 34 degrees scatter by sqrt(8) = 2.8; force, 40 degrees once, is 8.0 ± 2.8 sqrt(1 + 1/2) = 3.5 above."""
         write_test(self.folder, "ore5-force", 40.0)
@@ -271,18 +281,13 @@ class Tables(unittest.TestCase):
             self.assertEqual(file.read().splitlines()[1].split(",")[3], "")
         self.assertIn("| the case | 5 % | phi_e | 1 of 2 | - | - | - | - | - |", self.show("closing"))
 
-    def test_the_page_has_the_table_of_today(self):
-        """docs/results/copper-ore.md has the table that the kept tests give, line by line."""
-        done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", os.path.join(self.folder, "none"), "--kept",
-                               program.source("cases/copper-ore-study/tests.csv"), "--closing"], capture_output=True, text=True)
-        with open(program.source("docs/results/copper-ore.md")) as file:
-            page = file.read()
-        self.assertIn(done.stdout.strip(), page)
-        done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", os.path.join(self.folder, "none"), "--kept",
-                               program.source("cases/copper-ore-study/tests.csv"), "--choices"], capture_output=True, text=True)
-        with open(program.source("docs/results/copper-ore-sensitivity.md")) as file:
-            page = file.read()
-        self.assertIn(done.stdout.strip(), page)
+    def test_pages_have_the_tables_of_today(self):
+        """Those of docs/results are what the kept tests give, line by line."""
+        for table, name in (("closing", "copper-ore.md"), ("doubtful", "copper-ore.md"), ("choices", "copper-ore-sensitivity.md")):
+            done = subprocess.run([TOOL, "--clod", program.BINARY, "--folder", os.path.join(self.folder, "none"), "--kept",
+                                   program.source("cases/copper-ore-study/tests.csv"), "--" + table], capture_output=True, text=True)
+            with open(program.source("docs/results/" + name)) as file:
+                self.assertIn(done.stdout.strip(), file.read())
 
     def test_phi_sf_on_the_way(self):
         """tau is 35 kPa/15 mm; rows at 3 and 4 mm come before 5 mm: atan(3.5 * 35/15/54.8) = 8.47 degrees."""
