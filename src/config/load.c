@@ -39,6 +39,35 @@ clod_place clod_load_place(const clod_node *node)
     return node->key != NULL ? node->key_place : node->place;
 }
 
+/** "; did you mean cone.half_angle or wedge.half_angle?", the nearest key of the sections of a table; "" if none is near. */
+static const char *hint_below(const clod_table *table, const char *key, char *buffer,
+                              size_t size)
+{
+    clod_suggest near = clod_suggest_start(key);
+    for (size_t k = 0; k < table->count; k++) {
+        const clod_table *section =
+            table->params[k].kind == CLOD_PARAM_SECTION ? table->params[k].table : NULL;
+        for (size_t i = 0; section != NULL && i < section->count; i++) {
+            clod_suggest_offer(&near, section->params[i].key);
+        }
+    }
+    size_t used = 0;
+    buffer[0] = '\0';
+    for (size_t k = 0; k < table->count && clod_suggest_found(&near); k++) {
+        const clod_param *param = &table->params[k];
+        if (param->kind == CLOD_PARAM_SECTION && used < size &&
+            clod_param_find(param->table, near.best) != NULL) {
+            used +=
+                (size_t)snprintf(buffer + used, size - used, "%s%s.%s",
+                                 used == 0 ? "; did you mean " : " or ", param->key, near.best);
+        }
+    }
+    if (used > 0 && used < size) {
+        snprintf(buffer + used, size - used, "?");
+    }
+    return buffer;
+}
+
 static bool check_keys(clod_loader *self, const clod_table *table, const clod_node *node)
 {
     bool good = true;
@@ -47,7 +76,7 @@ static bool check_keys(clod_loader *self, const clod_table *table, const clod_no
         if (clod_param_find(table, item->key) != NULL) {
             continue;
         }
-        char hint[64];
+        char hint[160];
         const char *now = NULL;
         clod_suggest near = clod_suggest_start(item->key);
         for (size_t k = 0; k < table->count; k++) {
@@ -64,10 +93,12 @@ static bool check_keys(clod_loader *self, const clod_table *table, const clod_no
                             "this key is not known here: it belongs beside %s, not in it",
                             node->key);
         } else {
-            clod_report_add(self->report, item->key_place, self->path,
-                            "this key is not known%s%s",
-                            now != NULL ? "; it is called now " : "",
-                            now != NULL ? now : clod_suggest_text(&near, hint, sizeof hint));
+            clod_report_add(
+                self->report, item->key_place, self->path, "this key is not known%s%s",
+                now != NULL ? "; it is called now " : "",
+                now != NULL                 ? now
+                : clod_suggest_found(&near) ? clod_suggest_text(&near, hint, sizeof hint)
+                                            : hint_below(table, item->key, hint, sizeof hint));
         }
         clod_load_leave(self, length);
         good = false;

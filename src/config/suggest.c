@@ -57,11 +57,16 @@ void clod_suggest_offer(clod_suggest *self, const char *known)
     }
 }
 
+bool clod_suggest_found(const clod_suggest *self)
+{
+    const size_t limit = strlen(self->word) < 4 ? 1 : (strlen(self->word) + 2) / 3;
+    return self->best != NULL && self->distance <= limit;
+}
+
 const char *clod_suggest_text(const clod_suggest *self, char *buffer, size_t size)
 {
     buffer[0] = '\0';
-    const size_t limit = strlen(self->word) < 4 ? 1 : (strlen(self->word) + 2) / 3;
-    if (self->best != NULL && self->distance <= limit) {
+    if (clod_suggest_found(self)) {
         snprintf(buffer, size, "; did you mean %s?", self->best);
     }
     return buffer;

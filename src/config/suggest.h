@@ -4,6 +4,7 @@
  * "Did you mean": the known word nearest to what the user wrote.
  */
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct clod_suggest {
@@ -17,6 +18,9 @@ clod_suggest clod_suggest_start(const char *word);
 
 /** Offer a known word; it is taken when it is nearer than those before. */
 void clod_suggest_offer(clod_suggest *self, const char *known);
+
+/** Whether one of the words is near enough. */
+bool clod_suggest_found(const clod_suggest *self);
 
 /**
  * "; did you mean k_adh?", or "" when nothing is near enough.

@@ -147,6 +147,8 @@ class Messages(clod.Case):
         self.refused(["run", "."], "cannot be")
         self.refused(["run", BOX, "--set", "seeed=3"], "seeed: this key is not known; did you "
                      "mean seed?")
+        self.refused(["run", BOX, "--set", "safty=0.2"], "safty: this key is not known; did you mean time.safety?")  # of a section
+        self.refused(["run", BOX, "--set", "zzzzzz=0.2"], "zzzzzz: this key is not known\n")
         self.refused(["run", BOX, "--set", "seed"], "key.path=value")
         self.refused(["run", clod.source("cases/contact-bench/case.yaml")],
                      "nothing to run", "clod contact")
