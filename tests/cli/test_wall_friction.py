@@ -160,7 +160,8 @@ class Ring(clod.TesterCase):
 
     def test_friction_of_the_plate(self):
         """A torque: grains bear their friction at radii between those of the walls, less their
-        own, 22.2 to 37.8 mm, where a uniform stress has r_m = 31.1 mm."""
+        own, 22.2 to 37.8 mm, where a uniform stress has r_m = 31.1 mm. To 0.1 % from the
+        contacts of a checkpoint: tests/python/test_wall_contacts.py."""
         for p in self.points:
             self.assertGreater(p["tau_w"] / p["sigma_w"], FRICTION * 22.2 / 31.1)
             self.assertLess(p["tau_w"] / p["sigma_w"], FRICTION * 37.8 / 31.1)
