@@ -76,6 +76,12 @@ int clod_check_wall_batches(const clod_case *from, bool most,
     return 2;
 }
 
+/** Depth to which a mean grain sinks between two ridges, over its diameter. */
+static double sink_over_diameter(const clod_check_report *r)
+{
+    return r->ridge_sink_depth / (2.0 * r->radius_mean);
+}
+
 void clod_check_wall_write(clod_check_page *to, const clod_check_report *r)
 {
     clod_check_line(
@@ -97,6 +103,13 @@ void clod_check_wall_write(clod_check_page *to, const clod_check_report *r)
             1e3 * r->ridge_sink_depth);
         clod_check_line(to, "", "roughness over a grain's diameter Rmax(L = d)/d = %.3g",
                         r->plate_roughness);
+        if (r->ridge_spacing < 2.0 * r->radius_mean) {
+            clod_check_line(to, "",
+                            "ridges closer than a grain's diameter: grains lie on crests;");
+            clod_check_line(to, "",
+                            "the roughness that they feel is the depth they sink, %.3g d",
+                            sink_over_diameter(r));
+        }
     }
 }
 
@@ -124,6 +137,7 @@ void clod_check_wall_put(json_t *to, const clod_check_report *r)
     if (r->plate_ridges > 0) {
         json_object_set_new(to, "plate_ridges", json_integer((json_int_t)r->plate_ridges));
         clod_check_put(to, r, RIDGE_REALS, sizeof RIDGE_REALS / sizeof RIDGE_REALS[0]);
+        json_object_set_new(to, "ridge_sink_depth_diameters", json_real(sink_over_diameter(r)));
     }
 }
 
