@@ -161,6 +161,40 @@ static void warn_ridges(const clod_case_wall_friction *test, clod_check_report *
     }
 }
 
+/** Name of the key by which contacts of a pair pull; NULL: they do not. */
+static const char *pull_key(const clod_case_contact *pair)
+{
+    return pair->k_adh > 0.0            ? "k_adh"
+           : pair->surface_energy > 0.0 ? "surface_energy"
+           : pair->pull_off_force > 0.0 ? "pull_off_force"
+                                        : NULL;
+}
+
+/**
+ * Adhesion of a flat plate that its Coulomb limit does not count. The forces of the contacts add up to
+ * the load whatever they pull, so that friction that goes with the force has nothing of the pull.
+ * Source  docs/theory/wall-friction.md, "Adhesion".
+ * Test    tests/cli/test_wall_friction.py; that it is so: tests/python/test_wall_contacts.py
+ */
+static void warn_adhesion(const clod_case *from, clod_check_report *r)
+{
+    const clod_case_wall_friction *test = &from->wall_friction;
+    const clod_case_contact *pair =
+        clod_case_pair(from, clod_case_material_index(from, test->grain_material),
+                       clod_case_material_index(from, test->plate_material));
+    const char *key = pull_key(pair);
+    if (key != NULL && pair->coulomb != CLOD_COULOMB_ADHESIVE && r->plate_ridges == 0) {
+        clod_check_warning(
+            r,
+            "%s of %s and %s gives next to no wall adhesion: with coulomb: %s friction goes with "
+            "the force of a contact, and the forces on a flat plate add up to the load, whatever "
+            "they pull. Only contacts that are drawn apart feel it, few on a smooth plate. Write "
+            "coulomb: adhesive for this pair of contacts, or leave %s out",
+            key, test->grain_material, test->plate_material,
+            pair->coulomb == CLOD_COULOMB_FORCE ? "force" : "paper", key);
+    }
+}
+
 void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *r)
 {
     const clod_case_wall_friction *test = &subject->from->wall_friction;
@@ -202,6 +236,7 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
             "wall_friction.depth, or lower bar_height",
             gap, CLOD_LIMITS_BARS_GRAINS);
     }
+    warn_adhesion(subject->from, r);
     char text[512];
     if (clod_wall_shear_lever(subject->from, text, sizeof text)) {
         clod_check_warning(r, "%s", text);

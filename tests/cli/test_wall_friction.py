@@ -173,5 +173,34 @@ class Ring(clod.TesterCase):
                                    / clod.mean(rows, "shear_stress_held"), 1.0, delta=0.01)
 
 
+class Check(clod.Case):
+
+    def warnings(self, *changes, case=CASE):
+        options = [word for change in changes for word in ("--set", change)]
+        done = clod.run("check", case, "--json", "-t", "1", *options, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)["warnings"]
+
+    def test_adhesion_that_the_coulomb_limit_does_not_count(self):
+        """Of each law that pulls, in each way to say so; not of ridges, over which grains ride."""
+        adhesion = "contacts.ore-plate.k_adh=3e6 N/m^1.5"
+        told = lambda *changes: [w for w in self.warnings(*changes) if "next to no wall adhesion" in w]
+        for coulomb in ("force", "paper"):
+            limit = f"contacts.ore-plate.coulomb={coulomb}"
+            self.assertEqual(told(limit), [])
+            said, = told(limit, adhesion)
+            self.assertTrue(said.startswith("k_adh of ore and plate "), said)
+            self.assertIn(f"with coulomb: {coulomb} ", said)
+            self.assertEqual(told(limit, adhesion, "wall_friction.plate_ridges={height: 1 mm, spacing: 5 mm}"), [])
+            for key in ("pull_off_force=0.1 N", "surface_energy=1 J/m2"):
+                said, = told(limit, "contacts.default.law=eepa", f"contacts.ore-plate.{key}")
+                self.assertTrue(said.startswith(key.split("=")[0] + " of ore and plate "), said)
+        self.assertEqual(told(adhesion), [])
+        self.assertEqual(told("contacts.ore-plate.coulomb=adhesive", adhesion), [])
+        # the grains' own adhesion is not the wall's
+        self.assertEqual(told("contacts.default.k_adh=3e6 N/m^1.5", "contacts.default.coulomb=paper",
+                              "contacts.ore-plate.k_adh=0 N/m^1.5"), [])
+
+
 if __name__ == "__main__":
     clod.main()
