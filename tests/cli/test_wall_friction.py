@@ -181,6 +181,14 @@ class Check(clod.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)["warnings"]
 
+    def test_the_template_is_one_that_its_check_does_not_warn_of(self):
+        self.assertEqual(clod.run("new", "wall-friction", cwd=self.folder).returncode, 0)
+        self.assertEqual(self.warnings(case="wall-friction.yaml"), [])
+        ring = clod.source("cases/wall-friction/ring.yaml")
+        self.assertEqual(self.warnings(case=ring), [])
+        lever = self.warnings("wall_friction.seeds=1", case=ring)
+        self.assertIn("an error of the lever", " ".join(lever))
+
     def test_adhesion_that_the_coulomb_limit_does_not_count(self):
         """Of each law that pulls, in each way to say so; not of ridges, over which grains ride."""
         adhesion = "contacts.ore-plate.k_adh=3e6 N/m^1.5"
