@@ -162,7 +162,7 @@ list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "tests/python/")
 if(TARGET clod_shared)
   foreach(name IN ITEMS test_python test_null test_rising test_surface_names test_ranks test_mpi4py
                           test_chute_study test_copper_ore_study test_outlet_study test_slices
-                          test_part_measures test_inside_density)
+                          test_part_measures test_inside_density test_wall_contacts)
     add_test(NAME python/${name}
       COMMAND /usr/bin/python3 -B ${CMAKE_SOURCE_DIR}/tests/python/${name}.py)
     set_tests_properties(python/${name} PROPERTIES LABELS python TIMEOUT ${CLOD_TEST_SECONDS}

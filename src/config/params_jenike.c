@@ -59,7 +59,7 @@ static const clod_param ROWS[] = {
      CLOD_AT(J, twists),
      .help = "Times that the lid is twisted to and fro under preshear_stress before preshear, "
              "as the operator of a real cell does to come near the critical state.",
-     .source = "ASTM D6128"},
+     .source = "docs/theory/jenike.md#procedure"},
     {.key = "twist_angle",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,

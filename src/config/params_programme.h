@@ -30,7 +30,7 @@
      .example = "54.8 kPa",                                                                    \
      CLOD_AT(type, programme.preshear_stress),                                                 \
      .help = "Normal stress of consolidation and preshear at the shear plane.",                \
-     .source = "docs/theory/copper-ore.md; ASTM D6773, D6128"},                                \
+     .source = "docs/theory/copper-ore.md; ring-shear.md"},                                    \
     {                                                                                          \
         .key = "shear_stresses", .kind = CLOD_PARAM_REALS, .need = CLOD_PARAM_REQUIRED,        \
         .unit = "Pa", CLOD_FROM(1, 1e8),                                                       \
@@ -39,7 +39,7 @@
         CLOD_COUNT(type, programme.shear_stress_count),                                        \
         .help = "Normal stresses of the points of the yield locus, at least two, each below "  \
                 "preshear_stress; 20 to 80 % of it is usual.",                                 \
-        .source = "docs/theory/ring-shear.md; ASTM D6773, D6128"                               \
+        .source = "docs/theory/ring-shear.md#what-is-from-where"                               \
     }
 #define CLOD_PROGRAMME_STEADY(type)                                                            \
     CLOD_PROGRAMME_WHOLE(                                                                      \

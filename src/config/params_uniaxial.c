@@ -49,7 +49,7 @@ static const clod_param ROWS[] = {
          "1e-3.",
          "docs/theory/time-step.md"),
     REAL(crush_max, "1", CLOD_ABOVE(0, 0.9), "15 %",
-         "Axial strain at most in search of the peak.", "ASTM D2166"),
+         "Axial strain at most in search of the peak.", "docs/theory/uniaxial.md"),
     REAL(beyond_peak, "1", CLOD_ABOVE(0, 0.9), "2 %",
          "Axial strain that is recorded beyond the peak.", "docs/theory/uniaxial.md"),
 };

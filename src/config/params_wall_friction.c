@@ -110,7 +110,7 @@ static const clod_param ROWS[] = {
      CLOD_AT(W, cell),
      .help = "ring: an annulus whose plate turns, as in a ring shear tester. straight: a round "
              "ring whose plate moves along x, as in a Jenike tester.",
-     .source = "docs/theory/wall-friction.md; ASTM D6773, D6128"},
+     .source = "docs/theory/wall-friction.md#cell"},
     OF_SOME(inner_radius, CLOD_ABOVE(0, 10), "50 mm", is_annulus,
             "a straight cell has no inner radius; remove this key",
             "Inner radius of the annulus.", "docs/theory/ring-shear.md (RST-01)"),
@@ -162,7 +162,7 @@ static const clod_param ROWS[] = {
      .help =
          "Normal stresses on the plate, two to sixteen of them: the specimen is consolidated "
          "and sheared at the largest, and sheared on at each lower one in turn.",
-     .source = "docs/theory/wall-friction.md; ASTM D6773, D6128"},
+     .source = "docs/theory/wall-friction.md#programme"},
     REAL(speed, "m/s", CLOD_ABOVE(0, 1), "30 mm/s",
          "Speed of the plate at the largest stress, in a ring at r_m; at a lower stress it "
          "falls with its square root.",

@@ -76,6 +76,12 @@ int clod_check_wall_batches(const clod_case *from, bool most,
     return 2;
 }
 
+/** Depth to which a mean grain sinks between two ridges, over its diameter. */
+static double sink_over_diameter(const clod_check_report *r)
+{
+    return r->ridge_sink_depth / (2.0 * r->radius_mean);
+}
+
 void clod_check_wall_write(clod_check_page *to, const clod_check_report *r)
 {
     clod_check_line(
@@ -97,6 +103,13 @@ void clod_check_wall_write(clod_check_page *to, const clod_check_report *r)
             1e3 * r->ridge_sink_depth);
         clod_check_line(to, "", "roughness over a grain's diameter Rmax(L = d)/d = %.3g",
                         r->plate_roughness);
+        if (r->ridge_spacing < 2.0 * r->radius_mean) {
+            clod_check_line(to, "",
+                            "ridges closer than a grain's diameter: grains lie on crests;");
+            clod_check_line(to, "",
+                            "the roughness that they feel is the depth they sink, %.3g d",
+                            sink_over_diameter(r));
+        }
     }
 }
 
@@ -124,6 +137,7 @@ void clod_check_wall_put(json_t *to, const clod_check_report *r)
     if (r->plate_ridges > 0) {
         json_object_set_new(to, "plate_ridges", json_integer((json_int_t)r->plate_ridges));
         clod_check_put(to, r, RIDGE_REALS, sizeof RIDGE_REALS / sizeof RIDGE_REALS[0]);
+        json_object_set_new(to, "ridge_sink_depth_diameters", json_real(sink_over_diameter(r)));
     }
 }
 
@@ -144,6 +158,40 @@ static void warn_ridges(const clod_case_wall_friction *test, clod_check_report *
                            "a spacing of %.6g mm does not divide the way round the ring: the "
                            "plate has %lld ridges, one every %.4g mm",
                            1e3 * asked, (long long)r->plate_ridges, 1e3 * r->ridge_spacing);
+    }
+}
+
+/** Name of the key by which contacts of a pair pull; NULL: they do not. */
+static const char *pull_key(const clod_case_contact *pair)
+{
+    return pair->k_adh > 0.0            ? "k_adh"
+           : pair->surface_energy > 0.0 ? "surface_energy"
+           : pair->pull_off_force > 0.0 ? "pull_off_force"
+                                        : NULL;
+}
+
+/**
+ * Adhesion of a flat plate that its Coulomb limit does not count. The forces of the contacts add up to
+ * the load whatever they pull, so that friction that goes with the force has nothing of the pull.
+ * Source  docs/theory/wall-friction.md, "Adhesion".
+ * Test    tests/cli/test_wall_friction.py; that it is so: tests/python/test_wall_contacts.py
+ */
+static void warn_adhesion(const clod_case *from, clod_check_report *r)
+{
+    const clod_case_wall_friction *test = &from->wall_friction;
+    const clod_case_contact *pair =
+        clod_case_pair(from, clod_case_material_index(from, test->grain_material),
+                       clod_case_material_index(from, test->plate_material));
+    const char *key = pull_key(pair);
+    if (key != NULL && pair->coulomb != CLOD_COULOMB_ADHESIVE && r->plate_ridges == 0) {
+        clod_check_warning(
+            r,
+            "%s of %s and %s gives next to no wall adhesion: with coulomb: %s friction goes with "
+            "the force of a contact, and the forces on a flat plate add up to the load, whatever "
+            "they pull. Only contacts that are drawn apart feel it, few on a smooth plate. Write "
+            "coulomb: adhesive for this pair of contacts, or leave %s out",
+            key, test->grain_material, test->plate_material,
+            pair->coulomb == CLOD_COULOMB_FORCE ? "force" : "paper", key);
     }
 }
 
@@ -188,6 +236,7 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
             "wall_friction.depth, or lower bar_height",
             gap, CLOD_LIMITS_BARS_GRAINS);
     }
+    warn_adhesion(subject->from, r);
     char text[512];
     if (clod_wall_shear_lever(subject->from, text, sizeof text)) {
         clod_check_warning(r, "%s", text);

@@ -8,7 +8,7 @@
  * One procedure fills the cell. Another one goes on from there: lower the lid, consolidate at
  * the largest wall normal stress, then move the plate and never stop it: run in, shear until
  * the wall shear stress is steady, lower the load, run in again, and so on down to the lowest
- * stress (ASTM D6773, D6128; docs/theory/wall-friction.md).
+ * stress (docs/theory/wall-friction.md).
  */
 
 #include <stdbool.h>

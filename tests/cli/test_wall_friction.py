@@ -160,7 +160,8 @@ class Ring(clod.TesterCase):
 
     def test_friction_of_the_plate(self):
         """A torque: grains bear their friction at radii between those of the walls, less their
-        own, 22.2 to 37.8 mm, where a uniform stress has r_m = 31.1 mm."""
+        own, 22.2 to 37.8 mm, where a uniform stress has r_m = 31.1 mm. To 0.1 % from the
+        contacts of a checkpoint: tests/python/test_wall_contacts.py."""
         for p in self.points:
             self.assertGreater(p["tau_w"] / p["sigma_w"], FRICTION * 22.2 / 31.1)
             self.assertLess(p["tau_w"] / p["sigma_w"], FRICTION * 37.8 / 31.1)
@@ -170,6 +171,43 @@ class Ring(clod.TesterCase):
             rows = [row for row in self.series[name] if row["phase"] == SHEAR]
             self.assertAlmostEqual(clod.mean(rows, "shear_stress")
                                    / clod.mean(rows, "shear_stress_held"), 1.0, delta=0.01)
+
+
+class Check(clod.Case):
+
+    def warnings(self, *changes, case=CASE):
+        options = [word for change in changes for word in ("--set", change)]
+        done = clod.run("check", case, "--json", "-t", "1", *options, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)["warnings"]
+
+    def test_the_template_is_one_that_its_check_does_not_warn_of(self):
+        self.assertEqual(clod.run("new", "wall-friction", cwd=self.folder).returncode, 0)
+        self.assertEqual(self.warnings(case="wall-friction.yaml"), [])
+        ring = clod.source("cases/wall-friction/ring.yaml")
+        self.assertEqual(self.warnings(case=ring), [])
+        lever = self.warnings("wall_friction.seeds=1", case=ring)
+        self.assertIn("an error of the lever", " ".join(lever))
+
+    def test_adhesion_that_the_coulomb_limit_does_not_count(self):
+        """Of each law that pulls, in each way to say so; not of ridges, over which grains ride."""
+        adhesion = "contacts.ore-plate.k_adh=3e6 N/m^1.5"
+        told = lambda *changes: [w for w in self.warnings(*changes) if "next to no wall adhesion" in w]
+        for coulomb in ("force", "paper"):
+            limit = f"contacts.ore-plate.coulomb={coulomb}"
+            self.assertEqual(told(limit), [])
+            said, = told(limit, adhesion)
+            self.assertTrue(said.startswith("k_adh of ore and plate "), said)
+            self.assertIn(f"with coulomb: {coulomb} ", said)
+            self.assertEqual(told(limit, adhesion, "wall_friction.plate_ridges={height: 1 mm, spacing: 5 mm}"), [])
+            for key in ("pull_off_force=0.1 N", "surface_energy=1 J/m2"):
+                said, = told(limit, "contacts.default.law=eepa", f"contacts.ore-plate.{key}")
+                self.assertTrue(said.startswith(key.split("=")[0] + " of ore and plate "), said)
+        self.assertEqual(told(adhesion), [])
+        self.assertEqual(told("contacts.ore-plate.coulomb=adhesive", adhesion), [])
+        # the grains' own adhesion is not the wall's
+        self.assertEqual(told("contacts.default.k_adh=3e6 N/m^1.5", "contacts.default.coulomb=paper",
+                              "contacts.ore-plate.k_adh=0 N/m^1.5"), [])
 
 
 if __name__ == "__main__":

@@ -138,6 +138,18 @@ class Check(clod.Case):
         self.assertEqual(len([w for w in told["warnings"] if "hardly feel them" in w]), 1)
         self.assertFalse([w for w in check()["warnings"] if "hardly feel them" in w])
 
+    def test_ridges_finer_than_a_grain_are_told_as_it_feels_them(self):
+        """A sphere on two edges 2 mm apart sinks r - sqrt(r^2 - 1 mm^2) below the crests, 4 mm high or 8 mm."""
+        lines = lambda *options: clod.run("check", CASE, "-t", "1", *options).stdout
+        for height in (4, 8):
+            fine = ridges(f"height: {height} mm, spacing: 2 mm")
+            told = check(*fine)
+            radius = told["radius_mean_m"]
+            sinks = (radius - math.sqrt(radius ** 2 - 1e-6)) / (2 * radius)
+            self.assertAlmostEqual(told["ridge_sink_depth_diameters"], sinks, delta=1e-9)
+            self.assertGreater(told["plate_roughness"], 15 * sinks)
+            self.assertIn(f"the depth they sink, {sinks:.3g} d", lines(*fine))
+        self.assertNotIn("the depth they sink", lines(*ridges("height: 1 mm, spacing: 6 mm")))
 
 
 if __name__ == "__main__":
