@@ -91,9 +91,8 @@ static json_t *locus_of(const clod_locus *locus)
     }
     json_object_set_new(self, "flow", json_string(locus->flow));
     json_object_set_new(self, "errors_from", json_string(ERRORS[locus->errors]));
-    json_object_set_new(self, "errors_note",
-                        clod_locus_one_specimen(locus) ? json_string(CLOD_LOCUS_ONE_SPECIMEN)
-                                                       : json_null());
+    const char *note = clod_locus_errors_note(locus);
+    json_object_set_new(self, "errors_note", note != NULL ? json_string(note) : json_null());
     json_object_set_new(self, "error_correlations", correlations_of(locus));
     json_object_set_new(self, "r_squared", number(locus->r_squared));
     json_object_set_new(self, "parallel", json_boolean(locus->parallel));
