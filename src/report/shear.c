@@ -69,19 +69,19 @@ static void put_notes(FILE *out, const clod_shear_loci *sets, size_t count)
         if (from != NULL && strcmp(from, "seeds") == 0) {
             fprintf(out,
                     ": mean &plusmn; standard error of the mean, and scatter s (standard "
-                    "deviation) of %.0f specimens.",
+                    "deviation) of %.0f specimens",
                     clod_shear_number(locus, "seed_count"));
         } else if (from != NULL && strcmp(from, "fit") == 0) {
             fputs(
                 ": &plusmn; one standard error, from scatter about the line and errors of the "
                 "points",
                 out);
-            fputs(note != NULL ? "; <strong>" : ".", out);
-            clod_html_text(out, note != NULL ? note : "");
-            fputs(note != NULL ? "</strong>." : "", out);
         } else {
-            fputs(": no error bars; they need three points, or the errors of the points.", out);
+            fputs(": no error bars; they need three points, or the errors of the points", out);
         }
+        fputs(note != NULL ? "; <strong>" : ".", out);
+        clod_html_text(out, note != NULL ? note : "");
+        fputs(note != NULL ? "</strong>." : "", out);
         fputs("</p>\n", out);
     }
 }
@@ -156,15 +156,21 @@ bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *
     if (study != NULL) {
         sets[count++] = (clod_shear_loci){.of = "simulation", .study = study};
     }
+    json_t *beside = lab != NULL ? clod_shear_lab_beside(lab, run, 1) : NULL;
+    if (lab != NULL && beside == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the laboratory's points.");
+    }
     if (lab != NULL) {
-        sets[count++] = (clod_shear_loci){.of = "laboratory", .study = lab, .lab = true};
+        sets[count++] = (clod_shear_loci){.of = "laboratory", .study = beside, .lab = true};
     }
     if (count > 0) {
         clod_html_section(sheet->body, "results", "Results");
         put_table(sheet->body, sets, count);
+        clod_shear_lab_density(sheet->body, lab, run, 1);
         clod_shear_figures(sheet, sets, count);
         put_points(sheet->body, sets, count);
     }
+    json_decref(beside);
     clod_html_section(sheet->body, "curves", "Curves of the test");
     clod_sheet_columns(sheet, true);
     const bool good = clod_shear_curves(sheet, run, status);
