@@ -48,6 +48,7 @@ typedef struct clod_locus_mark {
     int64_t seed;
     double sigma;    ///< normal stress
     double measured; ///< tau_s as it came
+    double error;    ///< standard error stated for it; 0 = none
     double prorated; ///< tau_s mean(tau_p) / tau_p
     double line;     ///< the fitted line at sigma
     size_t index;    ///< of its point, among those that were given

@@ -44,10 +44,12 @@ static json_t *marks_of(const clod_locus *locus)
     json_t *list = json_array();
     for (size_t i = 0; i < locus->point_count; i++) {
         const clod_locus_mark *mark = &locus->marks[i];
-        json_array_append_new(list, json_pack("{s:I, s:f, s:f, s:f, s:f}", "seed",
-                                              (json_int_t)mark->seed, "sigma_s_Pa", mark->sigma,
-                                              "tau_s_Pa", mark->measured, "prorated_Pa",
-                                              mark->prorated, "line_Pa", mark->line));
+        json_array_append_new(list,
+                              json_pack("{s:I, s:f, s:f, s:o, s:f, s:f}", "seed",
+                                        (json_int_t)mark->seed, "sigma_s_Pa", mark->sigma,
+                                        "tau_s_Pa", mark->measured, "tau_s_error_Pa",
+                                        number(mark->error > 0.0 ? mark->error : (double)NAN),
+                                        "prorated_Pa", mark->prorated, "line_Pa", mark->line));
     }
     return list;
 }

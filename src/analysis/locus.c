@@ -224,6 +224,7 @@ static void fill_marks(clod_locus *self, const clod_locus_point *points, const c
         self->marks[i] = (clod_locus_mark){.seed = points[i].seed,
                                            .sigma = sigma,
                                            .measured = points[i].tau_s,
+                                           .error = points[i].tau_s_error,
                                            .prorated = prorated[i],
                                            .line = fit->intercept + fit->slope * sigma,
                                            .index = i};

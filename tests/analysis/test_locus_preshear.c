@@ -187,6 +187,21 @@ static void an_error_of_tau_p_that_nobody_states_is_not_zero(void **state)
     }
 }
 
+// What is stated for a point stays with it; a point without has none, not 0.
+static void points_keep_the_errors_that_they_state(void **state)
+{
+    (void)state;
+    static clod_status status;
+    clod_locus_point points[3];
+    bent_points(200.0, points);
+    points[1].tau_s_error = 25.0;
+    clod_locus_study *study = clod_locus_study_create(points, 3, &status);
+    assert_non_null(study);
+    assert_told(clod_locus_json(study), "\"tau_s_error_Pa\": null");
+    assert_told(clod_locus_json(study), "\"tau_s_error_Pa\": 25.0");
+    clod_locus_study_destroy(&study);
+}
+
 // Seeds whose specimens all tell the same tau_p are such a report too; they scatter by their lines.
 static void seeds_of_one_tau_p_tell_no_error_of_it(void **state)
 {
@@ -301,6 +316,7 @@ int main(void)
         cmocka_unit_test(one_error_of_tau_p_by_hand),
         cmocka_unit_test(an_error_of_tau_p_that_nobody_states_is_not_zero),
         cmocka_unit_test(seeds_of_one_tau_p_tell_no_error_of_it),
+        cmocka_unit_test(points_keep_the_errors_that_they_state),
         cmocka_unit_test(bulk_density_is_measured_once_per_preshear),
         cmocka_unit_test(points_alike_in_all_of_preshear_share_it),
         cmocka_unit_test(points_that_differ_in_preshear_had_their_own),

@@ -66,6 +66,63 @@ class Shear(pages.PageCase):
         self.assertEqual(page.row("bulk density [kg/m³]")[2:], ["1206.4", "1206.4", "-"])
         self.assertIn("The laboratory's bulk density stands beside", " ".join(page.words))
 
+    def test_how_a_point_was_read(self):
+        """Marks on the curves at the displacement and stress of the summary; errors and what had no peak in the table."""
+        self.ring("ring")
+        self.made("report", "ring")
+        page = self.page("ring/report.html")
+        rows = [table for table in page.tables if table[0][0] == "shear points [kPa]"][0]
+        self.assertEqual(rows[1:], [["simulation, point-1", "12.000", "3.000", "3.00 ± 0.12", "3.30 ± 0.13", "2.887", ""],
+                                    ["simulation, point-2", "12.000", "6.000", "4.400", "4.840", "4.619", "no peak"]])
+        failure = page.figures["Shear-stress--shear-to-failure"]["curves"]
+        self.assertEqual([(curve["name"], curve["style"]) for curve in failure],
+                         [("point-1", "line"), ("point-2", "line"), ("", "read"), ("", "vague")])
+        self.assertEqual([(curve["x"], curve["y"]) for curve in failure[2:]], [(["0.004"], ["3000"]), (["0.007"], ["4400"])])
+        self.assertEqual([curve["colour"] for curve in failure[:2]], [curve["colour"] for curve in failure[2:]])
+        self.assertEqual((failure[2]["error"], failure[3].get("error")), (["120"], None))
+        line, mark = page.figures["Shear-stress--preshear"]["curves"]
+        self.assertEqual((mark["x"], mark["y"], mark["error"], mark["style"]), (["0.012"], ["5500"], ["250"], "read"))
+        self.assertIn("Marks: peak of the smoothed curve, or shear stress with which preshear ended", " ".join(page.words))
+        self.assertEqual(len(page.figures["Height-of-the-specimen--preshear"]["curves"]), 1)
+        self.ring("ring", [{**PARTS[0], "flags": ["not steady"]}] + PARTS[1:])
+        self.made("report", "ring")
+        self.assertEqual(self.page("ring/report.html").figures["Shear-stress--preshear"]["curves"][1]["style"], "vague")
+
+    def test_errors_of_points_in_an_older_folder(self):
+        """Its summary.json has none of them, but points.csv has."""
+        bare = [{key: value for key, value in point.items() if key != "tau_s_error_Pa"} for point in LOCUS["points"]]
+        self.ring("ring", points=bare)
+        for text, shown in (("", ["3.000", "4.400"]), ("1,12000,5500,3000,3000,120\n1,12000,5500,6000,4400,\n", ["3.00 ± 0.12", "4.400"])):
+            with open(self.path("ring/points.csv"), "w") as file:
+                file.write("seed,sigma_pre [Pa],tau_pre [Pa],sigma_sh [Pa],tau_sh [Pa],tau_sh_error [Pa]\n" + text)
+            self.made("report", "ring")
+            rows = [table for table in self.page("ring/report.html").tables if table[0][0] == "shear points [kPa]"][0]
+            self.assertEqual([row[3] for row in rows[1:]], shown)
+
+    def test_lines_of_a_yield_locus(self):
+        """Solid up to the circle of steady flow, dotted from there to preshear; the effective one thin; bars: 3300/3000 of 120 Pa."""
+        self.ring("ring")
+        self.made("report", "ring")
+        line, points, preshear, steady, unconfined, beyond, effective = self.page("ring/report.html").figures["yield-locus"]["curves"]
+        self.assertEqual([curve["style"] for curve in (line, points, preshear, steady, unconfined, beyond, effective)],
+                         ["line", "points", "points", "line", "line", "dotted", "thin"])
+        for curve, ends in ((line, (0.0, 7e3)), (beyond, (7e3, 12e3))):
+            for x, y, end in zip(curve["x"], curve["y"], ends):
+                self.assertAlmostEqual(float(x), end, delta=1e-6)
+                self.assertAlmostEqual(float(y), COHESION + SLOPE * end, delta=1e-6)
+        self.assertEqual((effective["x"][0], effective["y"][0]), ("0", "0"))
+        self.assertAlmostEqual(float(effective["y"][1]) / float(effective["x"][1]), 0.75, places=9)  # 0.6/0.8
+        self.assertGreater(float(effective["x"][1]), 6.4e3)
+        self.assertAlmostEqual(float(points["error"][0]), 132.0, places=9)
+        self.assertEqual((points["error"][1], preshear["error"]), (None, ["250"]))
+        # preshear above the line: the circle touches a parallel line at the preshear stress, and nothing is dotted
+        tau, t = 9e3, SLOPE
+        self.ring("above", tau_p_Pa=pages.value(tau, None), steady_circle={"centre_Pa": 12e3 + t * tau, "radius_Pa": tau * math.hypot(1.0, t)})
+        self.made("report", "above")
+        curves = self.page("above/report.html").figures["yield-locus"]["curves"]
+        self.assertAlmostEqual(float(curves[0]["x"][1]), 12e3, delta=1e-6)
+        self.assertNotIn("error", curves[2])
+
 
 if __name__ == "__main__":
     clod.unittest.main()
