@@ -123,6 +123,37 @@ class Shear(pages.PageCase):
         self.assertAlmostEqual(float(curves[0]["x"][1]), 12e3, delta=1e-6)
         self.assertNotIn("error", curves[2])
 
+    def test_shear_to_failure_of_several_runs(self):
+        """A figure for each point with the curves of all runs and their marks; its stress, or stresses, in the title; height too."""
+        self.ring("one")
+        self.ring("two", PARTS[:2] + [PARTS[2], {**PARTS[3], "normal_stress_Pa": 7000.0}])
+        self.made("compare", "one", "two")
+        figures = self.page("compare.html").figures
+        for point, title in (("point-1", "point-1, at 3 kPa"), ("point-2", "point-2, at 6 to 7 kPa")):
+            figure = figures[f"Shear-stress--{point}"]
+            self.assertEqual(figure["title"], f"Shear stress, {title}")
+            vague = point == "point-2"
+            self.assertEqual([(curve["name"], curve["style"]) for curve in figure["curves"]],
+                             [("one", "line"), ("two", "line")] + [("", "vague" if vague else "read")] * 2)
+            table = pages.cells(self.path("one"), f"{point}.csv")
+            self.assert_curve(figure, 0, table, "displacement", "shear_stress", 2)
+            height = figures[f"Height--{point}"]
+            self.assertEqual((height["title"], height["y"]["unit"], len(height["curves"])), (f"Height, {title}", "mm", 2))
+            self.assert_curve(height, 1, table, "displacement", "height", 2)
+        self.assertEqual(len(figures["Height--preshear"]["curves"]), 2)
+        self.assertEqual(len(figures["Bulk-density--preshear"]["curves"]), 2)
+        self.assertEqual([curve["style"] for curve in figures["Shear-stress--preshear"]["curves"]], ["line", "line", "read", "read"])
+
+    def test_more_than_nine_points(self):
+        """Curves of point-10 are not those of point-1."""
+        for name in ("one", "two"):
+            self.ring(name, PARTS + [{**PARTS[2], "part": "point-10", "normal_stress_Pa": 9000.0}])
+            pages.write(self.path(name), point_HYPHEN_10__csv=pages.SLIP)
+        self.made("compare", "one", "two")
+        figures = self.page("compare.html").figures
+        self.assertEqual([len(figures[f"Height--point-{k}"]["curves"]) for k in (1, 10)], [2, 2])
+        self.assertEqual(figures["Height--point-10"]["title"], "Height, point-10, at 9 kPa")
+
 
 if __name__ == "__main__":
     clod.unittest.main()
