@@ -128,7 +128,9 @@ int clod_app_locus(int argc, char **argv)
             "tau_pre_error [kPa], tau_sh_error [kPa], rho_b_error [kg/m3], "
             "rho_inside [kg/m3].\n"
             "Wall friction: sigma_w [kPa], tau_w [kPa] or phi_x [deg]; optional seed, "
-            "sigma_w_error [kPa], tau_w_error [kPa] or phi_x_error [deg].\n"
+            "sigma_w_error [kPa], tau_w_error [kPa] or phi_x_error [deg], steady (1; 0: the "
+            "shear stress still changed), wall_stress [kPa], the normal stress that a simulation "
+            "was asked for.\n"
             "Bulk densities: sigma_1 [kPa], rho_b [kg/m3]; optional sigma_1_error [kPa], "
             "rho_b_error [kg/m3].",
     };

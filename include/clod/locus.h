@@ -48,6 +48,7 @@ typedef struct clod_locus_mark {
     int64_t seed;
     double sigma;    ///< normal stress
     double measured; ///< tau_s as it came
+    double error;    ///< standard error stated for it; 0 = none
     double prorated; ///< tau_s mean(tau_p) / tau_p
     double line;     ///< the fitted line at sigma
     size_t index;    ///< of its point, among those that were given
@@ -92,6 +93,8 @@ typedef struct clod_locus {
     clod_locus_circle steady;     ///< through sigma_1 and sigma_2
     clod_locus_circle unconfined; ///< through sigma_c and the origin
     clod_locus_errors errors;
+    bool
+        preshear_untold; ///< there are errors, but none of tau_p: it is one number, and none is stated
     double correlation
         [CLOD_LOCUS_PAIRS]; ///< of the errors of each pair, of one test; NAN: not known
     size_t seed_count;
@@ -151,6 +154,13 @@ bool clod_locus_one_specimen(const clod_locus *self);
 
 /** What to say beside such errors. */
 #define CLOD_LOCUS_ONE_SPECIMEN "one specimen: scatter between specimens not included"
+
+/** What to say beside errors with preshear_untold. */
+#define CLOD_LOCUS_PRESHEAR_UNTOLD                                                             \
+    "error of tau_p not known: not in those of sigma_1, sigma_2, phi_e, ffc"
+
+/** What the errors leave out, of the two texts above; static, NULL: nothing. */
+const char *clod_locus_errors_note(const clod_locus *self);
 
 /**
  * Sort points into consolidation stresses (preshear stresses more than 2 % apart) and seeds,

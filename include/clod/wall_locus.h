@@ -69,7 +69,8 @@ bool clod_wall_locus_one_specimen(const clod_wall_locus *self);
  * Read a wall yield locus from a CSV file with units in its header.
  *
  * @param path    the file, "-" for standard input: columns sigma_w, tau_w and, optional, seed,
- *                sigma_w_error, tau_w_error, wall_stress, steady (1 or 0), in any order; what
+ *                sigma_w_error, tau_w_error, wall_stress (that was asked for: the points are of a
+ *                simulation, where all have it), steady (1 or 0), in any order; what
  *                clod writes beside is skipped
  * @param points  [out] owned (clod_locus_free)
  * @param count   [out]

@@ -44,10 +44,12 @@ static json_t *marks_of(const clod_locus *locus)
     json_t *list = json_array();
     for (size_t i = 0; i < locus->point_count; i++) {
         const clod_locus_mark *mark = &locus->marks[i];
-        json_array_append_new(list, json_pack("{s:I, s:f, s:f, s:f, s:f}", "seed",
-                                              (json_int_t)mark->seed, "sigma_s_Pa", mark->sigma,
-                                              "tau_s_Pa", mark->measured, "prorated_Pa",
-                                              mark->prorated, "line_Pa", mark->line));
+        json_array_append_new(list,
+                              json_pack("{s:I, s:f, s:f, s:o, s:f, s:f}", "seed",
+                                        (json_int_t)mark->seed, "sigma_s_Pa", mark->sigma,
+                                        "tau_s_Pa", mark->measured, "tau_s_error_Pa",
+                                        number(mark->error > 0.0 ? mark->error : (double)NAN),
+                                        "prorated_Pa", mark->prorated, "line_Pa", mark->line));
     }
     return list;
 }
@@ -91,9 +93,8 @@ static json_t *locus_of(const clod_locus *locus)
     }
     json_object_set_new(self, "flow", json_string(locus->flow));
     json_object_set_new(self, "errors_from", json_string(ERRORS[locus->errors]));
-    json_object_set_new(self, "errors_note",
-                        clod_locus_one_specimen(locus) ? json_string(CLOD_LOCUS_ONE_SPECIMEN)
-                                                       : json_null());
+    const char *note = clod_locus_errors_note(locus);
+    json_object_set_new(self, "errors_note", note != NULL ? json_string(note) : json_null());
     json_object_set_new(self, "error_correlations", correlations_of(locus));
     json_object_set_new(self, "r_squared", number(locus->r_squared));
     json_object_set_new(self, "parallel", json_boolean(locus->parallel));

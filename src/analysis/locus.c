@@ -12,6 +12,7 @@
 #include "base/memory.h"
 
 #define HALF_PI 1.57079632679489661923
+#define NO_ERROR 1e-9 ///< of tau_p: less is rounding of points that all have one tau_p
 #define FAR_BELOW                                                                              \
     0.02 ///< of the preshear stress: no test shears there, but Pa read as kPa may be
 
@@ -32,6 +33,16 @@ bool clod_locus_one_specimen(const clod_locus *self)
 {
     CLOD_NEED(self);
     return self->errors == CLOD_LOCUS_ERRORS_FIT && self->preshear_count == 1;
+}
+
+const char *clod_locus_errors_note(const clod_locus *self)
+{
+    const bool one = clod_locus_one_specimen(self);
+    return one && self->preshear_untold ? CLOD_LOCUS_ONE_SPECIMEN
+               "; " CLOD_LOCUS_PRESHEAR_UNTOLD
+           : one                   ? CLOD_LOCUS_ONE_SPECIMEN
+           : self->preshear_untold ? CLOD_LOCUS_PRESHEAR_UNTOLD
+                                   : NULL;
 }
 
 const char *clod_locus_flow(double ffc)
@@ -194,6 +205,17 @@ static void fill_values(clod_locus *self, const clod_spread_result *best,
     self->unconfined = (clod_locus_circle){half, half};
 }
 
+/** One tau_p for all points, and no error stated: nothing tells how well it is known, so it is not exact. */
+static void forget_preshear(clod_locus *self)
+{
+    self->preshear_untold = self->errors != CLOD_LOCUS_ERRORS_NONE &&
+                            self->tau_p.error <= NO_ERROR * self->tau_p.value;
+    if (self->preshear_untold) {
+        self->tau_p.error = (double)NAN;
+        self->phi_sf.error = (double)NAN;
+    }
+}
+
 static void fill_marks(clod_locus *self, const clod_locus_point *points, const clod_fit *fit,
                        const double *prorated)
 {
@@ -202,6 +224,7 @@ static void fill_marks(clod_locus *self, const clod_locus_point *points, const c
         self->marks[i] = (clod_locus_mark){.seed = points[i].seed,
                                            .sigma = sigma,
                                            .measured = points[i].tau_s,
+                                           .error = points[i].tau_s_error,
                                            .prorated = prorated[i],
                                            .line = fit->intercept + fit->slope * sigma,
                                            .index = i};
@@ -234,6 +257,7 @@ bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locu
         locus->seed_count = 1;
         locus->point_count = count;
         fill_values(locus, &best, &told);
+        forget_preshear(locus);
         fill_means(locus, points, first, count, work + 2 * count);
         fill_marks(locus, points, &best.fit, prorated);
         const clod_warnings_line line = {best.fit, work, prorated, count};
@@ -303,6 +327,7 @@ static void combine_values(const clod_locus *loci, size_t count, clod_locus *sel
     for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
         *clod_field_of(self, k) = combine_field(loci, count, k);
     }
+    forget_preshear(self);
     for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
         self->correlation[k] = (double)NAN; // as few seeds as there are tell none
     }

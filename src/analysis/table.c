@@ -67,18 +67,19 @@ static void put_errors(FILE *out, const clod_locus *locus)
     case CLOD_LOCUS_ERRORS_SEEDS:
         fprintf(out,
                 "  Mean ± standard error of the mean, then the scatter (standard deviation), "
-                "of %zu seeds.\n",
+                "of %zu seeds",
                 locus->seed_count);
-        return;
+        break;
     case CLOD_LOCUS_ERRORS_FIT:
         fputs("  ± one standard error, from scatter about the line and errors of the points",
               out);
-        fputs(clod_locus_one_specimen(locus) ? ";\n  " CLOD_LOCUS_ONE_SPECIMEN ".\n" : ".\n",
-              out);
-        return;
+        break;
     default:
-        fputs("  No error bars: they need three points, or the errors of the points.\n", out);
+        fputs("  No error bars: they need three points, or the errors of the points", out);
     }
+    fputs(clod_locus_one_specimen(locus) ? ";\n  " CLOD_LOCUS_ONE_SPECIMEN : "", out);
+    fputs(locus->preshear_untold ? ";\n  " CLOD_LOCUS_PRESHEAR_UNTOLD : "", out);
+    fputs(".\n", out);
 }
 
 static void put_marks(FILE *out, const clod_locus *locus)

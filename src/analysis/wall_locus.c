@@ -170,11 +170,47 @@ static void end_seeds(clod_locus_value *all, size_t seeds)
     }
 }
 
-/** An angle that no wall has comes from the table. `end` is the point at the largest stress. */
-static void look_at_angle(clod_wall_locus *self, const point *end)
+/** Whether all points tell which stress was asked for, as those of a simulation do: its columns and units are right. */
+static bool is_simulated(const clod_wall_locus *self)
+{
+    bool all = true;
+    for (size_t i = 0; i < self->point_count; i++) {
+        all = all && self->marks[i].point.wall_stress > 0.0;
+    }
+    return all;
+}
+
+/** An angle that no wall has, in a simulation. */
+static void look_at_simulated_angle(clod_wall_locus *self, const point *end)
 {
     const double angle = self->phi_w.value;
     if (angle < 0.0) {
+        warn(self,
+             "The shear stress falls while the normal stress rises: no wall friction has "
+             "a negative angle. Was shear steady at each point? Else the points scatter by "
+             "more than they rise: give more shear, more grains or more seeds.");
+    } else if (angle > STEEP && end->tau > end->sigma) {
+        warn(
+            self,
+            "phi_w = %.1f deg, and the shear stress is above the normal stress even at the "
+            "largest: no wall is as rough. Look at the plate, and whether grains jam between it and the cell.",
+            angle / M_PI * 180.0);
+    } else if (angle < FLAT && end->tau < tan(FLAT) * end->sigma) {
+        warn(
+            self,
+            "phi_w = %.2g deg: no wall is as smooth. Has the plate a friction, or does a single "
+            "layer of grains roll on it?",
+            angle / M_PI * 180.0);
+    }
+}
+
+/** The same of a table, from which it comes. `end` is the point at the largest stress. */
+static void look_at_angle(clod_wall_locus *self, const point *end)
+{
+    const double angle = self->phi_w.value;
+    if (is_simulated(self)) {
+        look_at_simulated_angle(self, end);
+    } else if (angle < 0.0) {
         warn(self, "The shear stress falls while the normal stress rises: no wall friction has "
                    "a negative angle. Look at the points: their columns, their units, whether "
                    "shear was steady.");

@@ -96,7 +96,8 @@ static const clod_csv_kind POINTS = {
     .columns = COLUMNS,
     .count = COLUMN_COUNT,
     .row = sizeof(row),
-    .known = "sigma_w, tau_w, phi_x, seed, sigma_w_error, tau_w_error, wall_stress, steady",
+    .known = "sigma_w, tau_w, phi_x, seed, sigma_w_error, tau_w_error, phi_x_error, "
+             "wall_stress, steady",
     .example = "sigma_w [kPa],tau_w [kPa]",
     .item = "wall yield locus point",
     .skipped = SKIPPED,

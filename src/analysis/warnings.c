@@ -219,7 +219,10 @@ static void check_cohesion(clod_locus *locus)
     if (c < 0.0) {
         const bool near_zero = c + 2.0 * locus->c.error >= 0.0;
         const char *why =
-            !near_zero ? " Points at low normal stress bend down, or are wrong."
+            !near_zero && locus->tau_p.value > locus->sigma_p.value
+                ? " The shear stress of preshear is above its normal stress too: have the columns "
+                  "sigma and tau been exchanged, of preshear and of the points?"
+            : !near_zero ? " Points at low normal stress bend down, or are wrong."
             : clod_warnings_is_usual(locus->phi_lin.value)
                 ? " It is zero within two standard errors: the solid flows freely."
                 : ""; // the angle has a warning of its own

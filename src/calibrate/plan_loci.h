@@ -11,6 +11,7 @@
 typedef struct clod_plan_locus {
     size_t test, entry; ///< of the plan's `targets`
     clod_locus_value values[CLOD_FIELD_COUNT];
+    bool preshear_untold; ///< see clod/locus.h
     struct clod_plan_locus *next;
 } clod_plan_locus;
 

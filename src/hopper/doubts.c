@@ -266,17 +266,23 @@ static bool has_errors(const clod_curve *curve)
 }
 
 /** Properties that were given without errors, and so do not widen the intervals. */
-static void warn_errors(clod_hopper *self)
+static void warn_errors(clod_hopper *self, bool preshear_untold)
 {
     static const char *const NAMES[CLOD_SOLID_CURVES] = {"flow function", "effective friction",
                                                          "static friction", "bulk density",
                                                          "wall friction"};
-    char list[160] = "";
+    char list[240] = "";
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         if (!has_errors(&self->solid.curves[k])) {
             const size_t used = strlen(list);
             snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "", NAMES[k]);
         }
+    }
+    if (preshear_untold) {
+        const size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used,
+                 "%sshear stress of preshear (tau_pre_error) in sigma_1 and phi_e",
+                 used > 0 ? ", " : "");
     }
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         if (self->shape[s].wish.limit > 0.0 && self->shape[s].limit_error == 0.0) {
@@ -347,17 +353,17 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
     }
 }
 
-void clod_doubts_warn(clod_hopper *self, bool one_specimen)
+void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes)
 {
     clod_doubts_measured(self);
     warn_large_errors(self);
     warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
     warn_rathole(self);
-    warn_errors(self);
+    warn_errors(self, notes->preshear_untold);
     warn_few(self, "Yield loci", &self->solid.strength);
     warn_few(self, "Wall yield locus", &self->solid.wall);
-    if (one_specimen) {
+    if (notes->one_specimen) {
         clod_warning_list_add(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
     }
 }

@@ -6,6 +6,7 @@
  */
 
 #include "hopper/result.h"
+#include "hopper/tables.h"
 
 #define CLOD_DOUBTS_APART 0.01 ///< relative distance below which two stresses count as the same
 
@@ -19,7 +20,7 @@ bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clo
                        clod_status *status);
 
 /** Note what is doubtful about a finished design in its warnings. */
-void clod_doubts_warn(clod_hopper *self, bool one_specimen);
+void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes);
 
 /**
  * Note properties that no solid has, strengths and angles that contradict each other, strength or density that

@@ -97,7 +97,7 @@ clod_hopper *clod_hopper_create(const char *path, const char *const *overrides,
         clod_hopper_destroy(&self);
         return NULL;
     }
-    clod_doubts_warn(self, notes.one_specimen);
+    clod_doubts_warn(self, &notes);
     return self;
 }
 

@@ -13,7 +13,8 @@
 /** A row of the flow function; 0: not there. */
 typedef struct clod_loci_row {
     clod_curve_point strength, phi_e, phi_t,
-        rho; ///< x, and what belongs to it, in strength alone
+        rho;                   ///< x, and what belongs to it, in strength alone
+    double tau_p, tau_p_error; ///< of preshear, from a table of loci
     double correlation
         [CLOD_JOINT_PAIRS]; ///< of the errors of sigma_1, f_c, phi_e, phi_t; NAN: not known
 } clod_loci_row;

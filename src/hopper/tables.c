@@ -38,6 +38,8 @@ static const clod_csv_column FLOW[] = {
     {.names = {"rho_b", "rho"}, .unit = "kg/m3", .positive = true, ROW(rho.y)},
     {.names = {"rho_b_error"}, .unit = "kg/m3", ROW(rho.y_error)},
     {.names = {"rho_inside"}, .unit = "kg/m3", .positive = true, ROW(rho.inside)},
+    {.names = {"tau_p"}, .unit = "Pa", ROW(tau_p)},
+    {.names = {"tau_p_error"}, .unit = "Pa", ROW(tau_p_error)},
     PAIR(0, "correlation_sigma_1_sigma_c", "correlation_sigma_1_f_c"),
     PAIR(1, "correlation_sigma_1_phi_e"),
     PAIR(2, "correlation_sigma_1_phi_lin", "correlation_sigma_1_phi_t"),
@@ -53,8 +55,6 @@ static const char *const SKIPPED[] = {"seeds",
                                       "flow",
                                       "sigma_p",
                                       "sigma_p_error",
-                                      "tau_p",
-                                      "tau_p_error",
                                       "c",
                                       "c_error",
                                       "phi_sf",
@@ -192,17 +192,28 @@ static bool take_rows(const row *rows, size_t count, clod_solid *solid, clod_sta
            take(rows, count, offsetof(row, rho), &solid->rho, status);
 }
 
-bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *status)
+/** @param untold  [out] whether a row of clod locus has errors, but none of its tau_p */
+static bool read_flow(const char *path, clod_solid *solid, bool *untold, clod_status *status)
 {
     void *rows;
     size_t count;
     bool good = read_file(path, &FLOW_KIND, &rows, &count, status);
+    *untold = false;
     for (size_t i = 0; i < count; i++) {
-        (void)clod_loci_join((row *)rows + i); // they were checked line by line
+        row *at = (row *)rows + i;
+        (void)clod_loci_join(at); // they were checked line by line
+        *untold = *untold ||
+                  (at->tau_p > 0.0 && at->tau_p_error == 0.0 && at->strength.x_error > 0.0);
     }
     good = good && take_rows(rows, count, solid, status);
     clod_memory_free(rows);
     return good;
+}
+
+bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *status)
+{
+    bool untold;
+    return read_flow(path, solid, &untold, status);
 }
 
 /** Hand the specimens of the shear tests on to the solid, which owns them then. */
@@ -230,7 +241,7 @@ static bool read_strength(const clod_hopper_case *of, clod_solid *solid,
                           clod_tables_notes *notes, clod_status *status)
 {
     if (of->strength.file != NULL) {
-        return clod_tables_read_flow(of->strength.file, solid, status);
+        return read_flow(of->strength.file, solid, &notes->preshear_untold, status);
     }
     clod_loci loci;
     const bool good = clod_loci_read(of, &loci, notes, status) &&

@@ -83,8 +83,10 @@ void clod_cards_result(FILE *out, const json_t *from, const clod_result_row *row
 /** Results of one yield locus. */
 static void put_locus(FILE *out, const json_t *locus)
 {
-    static const char *const KEYS[] = {"phi_e_deg",  "phi_lin_deg", "c_Pa",
-                                       "sigma_c_Pa", "ffc",         "rho_b_kg_m3"};
+    const bool inside = isfinite(clod_shear_number(locus, "rho_inside_kg_m3"));
+    const char *const KEYS[] = {"phi_e_deg", "phi_lin_deg",
+                                "c_Pa",      "sigma_c_Pa",
+                                "ffc",       inside ? "rho_inside_kg_m3" : "rho_b_kg_m3"};
     for (size_t k = 0; k < sizeof KEYS / sizeof *KEYS; k++) {
         const bool class = strcmp(KEYS[k], "ffc") == 0;
         clod_cards_result(out, locus, clod_shear_row_of(KEYS[k]),

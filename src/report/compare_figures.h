@@ -9,7 +9,7 @@
 #include "report/run_files.h"
 #include "report/sheet.h"
 
-/** Yield loci over each other, the curves of all preshears, and slices of fields.
+/** Yield loci over each other, the curves of preshear and of each shear to failure, and slices of fields.
  *  Errors  CLOD_USAGE: a damaged table; CLOD_FAILED: no memory. */
 bool clod_compare_figures_shear(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                                 const json_t *lab, clod_status *status);

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "report/compare_seeds.h"
+#include "report/shear.h"
 #include "report/shear_rows.h"
 #include "report/uniaxial_rows.h"
 #include "report/wall_page.h"
@@ -150,7 +151,16 @@ bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t cou
                                const json_t *lab, clod_status *status)
 {
     const loci own = {"locus", CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, locus_of};
-    return put_loci(out, &own, runs, count, lab, status);
+    json_t *beside = lab != NULL ? clod_shear_lab_beside(lab, runs, count) : NULL;
+    const bool good =
+        lab != NULL && beside == NULL
+            ? clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.")
+            : put_loci(out, &own, runs, count, beside, status);
+    if (good) {
+        clod_shear_lab_density(out, lab, runs, count);
+    }
+    json_decref(beside);
+    return good;
 }
 
 bool clod_compare_tables_wall(FILE *out, const clod_run_files *runs, size_t count,

@@ -129,6 +129,7 @@ const char *clod_figure_dashes(const clod_figure_curve *curve)
 {
     static const char *const DASHES[CLOD_FIGURE_STYLES][CLOD_FIGURE_ROUNDS] = {
         [CLOD_FIGURE_LINE] = {"", "7 3 2 3", "14 4", "14 3 2 3"},
+        [CLOD_FIGURE_THIN] = {"", "7 3 2 3", "14 4", "14 3 2 3"},
         [CLOD_FIGURE_DASHED] = {"7 4", "7 3 2 3 2 3", "4 2", "14 3 6 3"},
         [CLOD_FIGURE_DOTTED] = {"2 4", "2 3 2 8", "2 8", "2 3 2 3 2 8"},
         [CLOD_FIGURE_DASH_DOT] = {"7 3 2 3", "7 3 2 3", "7 3 2 3", "7 3 2 3"}};

@@ -33,6 +33,9 @@ typedef enum clod_figure_style {
     CLOD_FIGURE_POINTS,
     CLOD_FIGURE_HOLLOW, ///< points with no filling
     CLOD_FIGURE_DOTS,   ///< small points, of which there are many
+    CLOD_FIGURE_READ,   ///< points on a curve of their colour, with a black edge
+    CLOD_FIGURE_VAGUE,  ///< the same with no filling, and an edge of their colour
+    CLOD_FIGURE_THIN,   ///< a line that is thinner than those of data
     CLOD_FIGURE_ARROWS, ///< a line on a light edge, to be seen on any colour of a map
     CLOD_FIGURE_STYLES,
 } clod_figure_style;
@@ -105,7 +108,7 @@ void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style s
 
 /**
  * Dashes of a curve in pixels, dash and gap by turns with blanks between; "": a solid line, or marks. No two
- * of the styles but grey ones and of their rounds are alike.
+ * of the styles but grey and thin ones and of their rounds are alike.
  *
  * Threads pure.   Test  tests/report/test_figure.c
  */

@@ -81,7 +81,8 @@ static void put_map(FILE *out, const clod_figure_map *map)
 void clod_figure_json(FILE *out, const clod_figure *figure)
 {
     static const char *const STYLES[CLOD_FIGURE_STYLES] = {
-        "line", "dashed", "dotted", "dashdot", "points", "hollow", "dots", "arrows"};
+        "line", "dashed", "dotted", "dashdot", "points", "hollow",
+        "dots", "read",   "vague",  "thin",    "arrows"};
     fputs("{\"name\":", out);
     clod_figure_json_text(out, figure->name);
     fputs(",\"title\":", out);

@@ -26,6 +26,18 @@ typedef struct frame {
     double width, height; ///< of all
 } frame;
 
+#define EDGE "#000000" ///< of points on a curve
+
+static bool is_read(const clod_figure_curve *curve)
+{
+    return curve->style == CLOD_FIGURE_READ || curve->style == CLOD_FIGURE_VAGUE;
+}
+
+static bool is_hollow(const clod_figure_curve *curve)
+{
+    return curve->style == CLOD_FIGURE_HOLLOW || curve->style == CLOD_FIGURE_VAGUE;
+}
+
 static const char *colour_of(int colour)
 {
     return colour < 0 ? CLOD_FIGURE_GREY_COLOUR : CLOD_FIGURE_COLOUR[colour];
@@ -95,7 +107,7 @@ static void put_errors(FILE *out, const frame *self, const clod_figure_curve *cu
             fprintf(out, "<path d=\"M%.1f %.1fV%.1f\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
                     x, at_y(self, (curve->y[i] - curve->error[i]) * of->y.factor),
                     at_y(self, (curve->y[i] + curve->error[i]) * of->y.factor),
-                    colour_of(curve->colour));
+                    is_read(curve) ? EDGE : colour_of(curve->colour));
         }
     }
 }
@@ -116,7 +128,8 @@ static void put_mark(FILE *out, const clod_figure_curve *curve, double x, double
         fprintf(out, "<path d=\"M%.1f %.1f%s\"", x, y, SHAPES[curve->round]);
     }
     fprintf(out, " fill=\"%s\" stroke=\"%s\" stroke-width=\"2\"/>\n",
-            curve->style == CLOD_FIGURE_HOLLOW ? "#ffffff" : colour, colour);
+            is_hollow(curve) ? "#ffffff" : colour,
+            curve->style == CLOD_FIGURE_READ ? EDGE : colour);
 }
 
 static void put_marks(FILE *out, const frame *self, const clod_figure_curve *curve,
@@ -150,6 +163,7 @@ static void put_line(FILE *out, const frame *self, const clod_figure_curve *curv
             edge ? "#ffffff" : colour_of(curve->colour),
             edge                                 ? "3.6"
             : curve->style == CLOD_FIGURE_ARROWS ? "1.2"
+            : curve->style == CLOD_FIGURE_THIN   ? "0.9"
                                                  : "1.8",
             dashes(curve, dash));
     bool down = false; // the pen
@@ -168,7 +182,7 @@ static void put_line(FILE *out, const frame *self, const clod_figure_curve *curv
 static bool is_marks(clod_figure_style style)
 {
     return style == CLOD_FIGURE_POINTS || style == CLOD_FIGURE_HOLLOW ||
-           style == CLOD_FIGURE_DOTS;
+           style == CLOD_FIGURE_DOTS || style == CLOD_FIGURE_READ || style == CLOD_FIGURE_VAGUE;
 }
 
 /** One row of the legend after the other; NULL: only how many rows there are. */

@@ -47,6 +47,23 @@ static bool add_part(clod_figure *figures, const clod_run_files *run,
     return good;
 }
 
+/** Marks lie over all curves. */
+static void mark_parts(clod_figure *figure, const clod_run_files *run,
+                       const clod_part_curves *curves)
+{
+    const size_t before = figure->count;
+    int number = 0;
+    const char *part;
+    for (size_t p = 0; (part = clod_run_files_part(run, p)) != NULL; p++) {
+        if (strstr(part, curves->part) != NULL) {
+            curves->mark(figure, run, part, number++);
+        }
+    }
+    if (figure->count > before) {
+        snprintf(figure->note, sizeof figure->note, "%s", curves->marks);
+    }
+}
+
 bool clod_part_curves_put(clod_sheet *sheet, const clod_run_files *run,
                           const clod_part_curves *curves, clod_status *status)
 {
@@ -59,6 +76,9 @@ bool clod_part_curves_put(clod_sheet *sheet, const clod_run_files *run,
     for (size_t p = 0; good && (part = clod_run_files_part(run, p)) != NULL; p++) {
         good = strstr(part, curves->part) == NULL ||
                add_part(figures, run, curves, part, number++, status);
+    }
+    if (curves->mark != NULL) {
+        mark_parts(&figures[0], run, curves);
     }
     for (size_t q = 0; q < curves->count; q++) {
         clod_sheet_figure(sheet, &figures[q]);

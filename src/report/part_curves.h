@@ -22,6 +22,9 @@ typedef struct clod_part_curves {
     bool named_by_title;   ///< a figure's file; else by its column
     const clod_part_column *columns;
     size_t count; ///< at most CLOD_PART_CURVES_MOST
+    /** Mark what was read from a part's curve of the first column; NULL: nothing. */
+    void (*mark)(clod_figure *figure, const clod_run_files *run, const char *part, int number);
+    const char *marks; ///< a sentence about the marks
 } clod_part_curves;
 
 /** Put the figures. Errors  CLOD_USAGE: a damaged table. */

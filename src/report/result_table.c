@@ -41,7 +41,11 @@ void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
     clod_summary_tables_name(row->key, name, unit);
     clod_rounded_begin(out, tag, value, error, unit);
     if (!isfinite(value)) {
-        fputs(row->missing != NULL ? row->missing : "undefined", out);
+        const char *instead = json_string_value(json_object_get(object, "instead"));
+        fputs(instead != NULL        ? instead
+              : row->missing != NULL ? row->missing
+                                     : "undefined",
+              out);
         return;
     }
     clod_rounded_put(out, row->factor * value, row->factor * error, row->factor * scatter,

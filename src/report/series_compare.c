@@ -25,7 +25,7 @@ static void set_axis(clod_figure_axis *axis, const char *name, const char *unit)
     clod_series_groups_words(name, words);
     if (strcmp(unit, "Pa") == 0) {
         clod_figure_axis_set(axis, words, "kPa", 1e-3);
-    } else if (strcmp(name, "displacement") == 0) {
+    } else if (strcmp(name, "displacement") == 0 || strcmp(name, "height") == 0) {
         clod_figure_axis_set(axis, words, "mm", 1e3);
     } else {
         clod_figure_axis_set(axis, words, unit, 1.0);
@@ -51,31 +51,68 @@ static void add_table(clod_figure *figure, const clod_table *table, const char *
     clod_memory_free(y);
 }
 
+static bool is_shown(const clod_series_curves *curves, const char *part)
+{
+    const size_t length = strlen(part), wanted = strlen(curves->part);
+    return curves->whole ? length >= wanted && strcmp(part + length - wanted, curves->part) == 0
+                         : strstr(part, curves->part) != NULL;
+}
+
+/** The curves of one run; false: a table is damaged. */
+static bool add_run(clod_figure *figure, const clod_run_files *run, size_t number,
+                    const clod_series_curves *curves, clod_status *status)
+{
+    bool good = true;
+    bool named = false;
+    const char *part;
+    for (size_t p = 0; good && (part = clod_run_files_part(run, p)) != NULL; p++) {
+        clod_table table;
+        char file[256];
+        if (!is_shown(curves, part)) {
+            continue;
+        }
+        snprintf(file, sizeof file, "%s.csv", part);
+        good = clod_table_read(&table, run->folder, file, status);
+        add_table(figure, &table, curves->over, curves->column, named ? "" : run->name, number);
+        clod_table_fini(&table);
+        named = true;
+    }
+    return good;
+}
+
+static void mark_run(clod_figure *figure, const clod_run_files *run, size_t number,
+                     const clod_series_curves *curves)
+{
+    const char *part;
+    for (size_t p = 0; (part = clod_run_files_part(run, p)) != NULL; p++) {
+        if (is_shown(curves, part)) {
+            curves->mark(figure, run, part, (int)number);
+        }
+    }
+}
+
 bool clod_series_compare_parts(clod_sheet *sheet, const clod_run_files *runs, size_t count,
-                               const char *part, const char *over, const char *column,
-                               clod_status *status)
+                               const clod_series_curves *curves, clod_status *status)
 {
     clod_figure figure;
     char title[CLOD_FIGURE_TITLE], words[CLOD_FIGURE_NAME];
-    clod_series_groups_words(column, words);
-    snprintf(title, sizeof title, "%c%s, %s", words[0] - 'a' + 'A', words + 1, part);
+    clod_series_groups_words(curves->column, words);
+    snprintf(title, sizeof title, "%c%s, %s", words[0] - 'a' + 'A', words + 1, curves->part);
     clod_figure_init(&figure, title, title);
+    if (curves->behind != NULL) {
+        snprintf(figure.title, sizeof figure.title, "%c%s, %s", words[0] - 'a' + 'A', words + 1,
+                 curves->behind);
+    }
     bool good = true;
     for (size_t r = 0; good && r < count; r++) {
-        const char *name;
-        bool named = false;
-        for (size_t p = 0; good && (name = clod_run_files_part(&runs[r], p)) != NULL; p++) {
-            clod_table table;
-            char file[256];
-            if (strstr(name, part) == NULL) {
-                continue;
-            }
-            snprintf(file, sizeof file, "%s.csv", name);
-            good = clod_table_read(&table, runs[r].folder, file, status);
-            add_table(&figure, &table, over, column, named ? "" : runs[r].name, r);
-            clod_table_fini(&table);
-            named = true;
-        }
+        good = add_run(&figure, &runs[r], r, curves, status);
+    }
+    const size_t before = figure.count;
+    for (size_t r = 0; good && curves->mark != NULL && r < count; r++) {
+        mark_run(&figure, &runs[r], r, curves);
+    }
+    if (figure.count > before) {
+        snprintf(figure.note, sizeof figure.note, "%s", curves->marks);
     }
     clod_sheet_figure(sheet, &figure);
     return good;
@@ -112,8 +149,9 @@ bool clod_series_compare_strengths(clod_sheet *sheet, const clod_run_files *runs
     }
     clod_flow_figure_classes(&figure, largest);
     clod_sheet_figure(sheet, &figure);
-    return clod_series_compare_parts(sheet, runs, count, "stress-", "strain", "axial_stress",
-                                     status);
+    const clod_series_curves axial = {
+        .part = "stress-", .over = "strain", .column = "axial_stress"};
+    return clod_series_compare_parts(sheet, runs, count, &axial, status);
 }
 
 static bool is_compared(const char *name)

@@ -7,7 +7,7 @@
 #include "report/field_slices.h"
 #include "report/html.h"
 #include "report/part_tables.h"
-#include "report/rounded.h"
+#include "report/shear_points.h"
 #include "report/shear_rows.h"
 
 double clod_shear_number(const json_t *object, const char *key)
@@ -69,19 +69,19 @@ static void put_notes(FILE *out, const clod_shear_loci *sets, size_t count)
         if (from != NULL && strcmp(from, "seeds") == 0) {
             fprintf(out,
                     ": mean &plusmn; standard error of the mean, and scatter s (standard "
-                    "deviation) of %.0f specimens.",
+                    "deviation) of %.0f specimens",
                     clod_shear_number(locus, "seed_count"));
         } else if (from != NULL && strcmp(from, "fit") == 0) {
             fputs(
                 ": &plusmn; one standard error, from scatter about the line and errors of the "
                 "points",
                 out);
-            fputs(note != NULL ? "; <strong>" : ".", out);
-            clod_html_text(out, note != NULL ? note : "");
-            fputs(note != NULL ? "</strong>." : "", out);
         } else {
-            fputs(": no error bars; they need three points, or the errors of the points.", out);
+            fputs(": no error bars; they need three points, or the errors of the points", out);
         }
+        fputs(note != NULL ? "; <strong>" : ".", out);
+        clod_html_text(out, note != NULL ? note : "");
+        fputs(note != NULL ? "</strong>." : "", out);
         fputs("</p>\n", out);
     }
 }
@@ -109,62 +109,31 @@ static void put_table(FILE *out, const clod_shear_loci *sets, size_t count)
     put_notes(out, sets, count);
 }
 
-/** A stress of a point, whole as its title. */
-static void put_stress(FILE *out, const json_t *from, const char *key)
-{
-    const double value = clod_shear_number(from, key);
-    clod_rounded_begin(out, "td", value, (double)NAN, "Pa");
-    clod_rounded_put(out, 1e-3 * value, (double)NAN, (double)NAN, 3, "");
-    fputs("</td>", out);
-}
-
-static void put_points(FILE *out, const clod_shear_loci *sets, size_t count)
-{
-    static const char *const KEYS[] = {"sigma_s_Pa", "tau_s_Pa", "prorated_Pa", "line_Pa"};
-    fputs(
-        "<div class=\"scroll\"><table id=\"points-table\"><thead><tr><th>shear points [kPa]</th>"
-        "<th>&sigma;<sub>pre</sub></th><th>&sigma;</th>"
-        "<th>&tau;</th><th>&tau; prorated</th><th>&tau; of the line</th></tr>"
-        "</thead>\n<tbody>",
-        out);
-    for (size_t s = 0; s < count; s++) {
-        const json_t *locus;
-        for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
-            size_t k;
-            const json_t *point;
-            json_array_foreach(json_object_get(locus, "points"), k, point)
-            {
-                fputs("<tr>", out);
-                clod_html_cell(out, "th", sets[s].of);
-                put_stress(out, locus, "sigma_p_Pa");
-                for (size_t q = 0; q < sizeof KEYS / sizeof *KEYS; q++) {
-                    put_stress(out, point, KEYS[q]);
-                }
-                fputs("</tr>\n", out);
-            }
-        }
-    }
-    fputs("</tbody></table></div>\n", out);
-}
-
 bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
                     clod_status *status)
 {
+    clod_shear_points_recall(run);
     clod_shear_loci sets[2];
     size_t count = 0;
     const json_t *study = json_object_get(run->summary, "locus");
     if (study != NULL) {
         sets[count++] = (clod_shear_loci){.of = "simulation", .study = study};
     }
+    json_t *beside = lab != NULL ? clod_shear_lab_beside(lab, run, 1) : NULL;
+    if (lab != NULL && beside == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the laboratory's points.");
+    }
     if (lab != NULL) {
-        sets[count++] = (clod_shear_loci){.of = "laboratory", .study = lab, .lab = true};
+        sets[count++] = (clod_shear_loci){.of = "laboratory", .study = beside, .lab = true};
     }
     if (count > 0) {
         clod_html_section(sheet->body, "results", "Results");
         put_table(sheet->body, sets, count);
+        clod_shear_lab_density(sheet->body, lab, run, 1);
         clod_shear_figures(sheet, sets, count);
-        put_points(sheet->body, sets, count);
+        clod_shear_points_put(sheet->body, run->summary, sets, count);
     }
+    json_decref(beside);
     clod_html_section(sheet->body, "curves", "Curves of the test");
     clod_sheet_columns(sheet, true);
     const bool good = clod_shear_curves(sheet, run, status);

@@ -25,6 +25,19 @@ typedef struct clod_shear_loci {
  */
 json_t *clod_shear_lab(const char *path, clod_status *status);
 
+/**
+ * The laboratory's loci for a table beside runs: where a run tells its bulk density away from the walls of its cell, that of
+ * the laboratory, whose cell is many grains wide, stands beside it and not beside that of the whole cell.
+ *
+ * @return  new reference, or NULL: no memory
+ * Test  tests/report/test_page.py
+ */
+json_t *clod_shear_lab_beside(const json_t *lab, const clod_run_files *runs, size_t count);
+
+/** Say below a table with a laboratory's bulk density which one of a run's it is to be compared with. */
+void clod_shear_lab_density(FILE *out, const json_t *lab, const clod_run_files *runs,
+                            size_t count);
+
 /** Results, yield loci, curves of a run, with the laboratory's loci laid over (NULL: none).
  *  Errors  CLOD_USAGE: a damaged table. */
 bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,

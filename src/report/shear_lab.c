@@ -80,3 +80,61 @@ size_t clod_shear_lab_warnings(FILE *out, const clod_run_files *run, const json_
     }
     return count;
 }
+
+/** Whether a locus of a study tells a number. */
+static bool tells(const json_t *study, const char *key)
+{
+    bool found = false;
+    const json_t *locus;
+    for (size_t g = 0; (locus = clod_shear_locus(study, g)) != NULL && !found; g++) {
+        found = isfinite(clod_shear_number(locus, key));
+    }
+    return found;
+}
+
+static bool one_tells_inside(const clod_run_files *runs, size_t count)
+{
+    bool found = false;
+    for (size_t k = 0; k < count && !found; k++) {
+        found = tells(json_object_get(runs[k].summary, "locus"), "rho_inside_kg_m3");
+    }
+    return found;
+}
+
+json_t *clod_shear_lab_beside(const json_t *lab, const clod_run_files *runs, size_t count)
+{
+    json_t *self = json_deep_copy(lab);
+    json_t *locus;
+    size_t g;
+    if (self == NULL || !one_tells_inside(runs, count)) {
+        return self;
+    }
+    json_array_foreach(json_object_get(self, "loci"), g, locus)
+    {
+        const bool inside = isfinite(clod_shear_number(locus, "rho_inside_kg_m3"));
+        if (!inside && isfinite(clod_shear_number(locus, "rho_b_kg_m3"))) {
+            json_object_set(locus, "rho_inside_kg_m3", json_object_get(locus, "rho_b_kg_m3"));
+            json_object_set_new(locus, "rho_b_kg_m3", json_pack("{s:s}", "instead", "-"));
+        }
+    }
+    return self;
+}
+
+void clod_shear_lab_density(FILE *out, const json_t *lab, const clod_run_files *runs,
+                            size_t count)
+{
+    if (lab == NULL || !tells(lab, "rho_b_kg_m3")) {
+        return;
+    }
+    fputs(
+        one_tells_inside(runs, count)
+            ? "<p class=\"note\">The laboratory's bulk density stands beside "
+              "&rho;<sub>inside</sub>, that away from the walls of the simulated cell: "
+              "&rho;<sub>b</sub> is of the whole cell, and grains at its walls are packed more "
+              "loosely, which matters in a cell of few grains.</p>\n"
+            : "<p class=\"note\">&rho;<sub>b</sub> of the simulation is of the whole cell, and "
+              "grains at its walls are packed more loosely: do not compare it with the "
+              "laboratory's. The cell has too few grains across to tell "
+              "&rho;<sub>inside</sub>, the density away from them.</p>\n",
+        out);
+}

@@ -38,8 +38,9 @@ bool clod_wall_compare_figures(clod_sheet *sheet, const clod_run_files *runs, si
     clod_wall_page_figures(sheet, loci, used);
     clod_memory_free(loci);
     clod_sheet_columns(sheet, true);
-    const bool good = clod_series_compare_parts(sheet, runs, count, "wall", "displacement",
-                                                "shear_stress", status);
+    const clod_series_curves shear = {
+        .part = "wall", .over = "displacement", .column = "shear_stress"};
+    const bool good = clod_series_compare_parts(sheet, runs, count, &shear, status);
     clod_sheet_columns(sheet, false);
     return good && clod_slice_compare_put(sheet, runs, count, status);
 }

@@ -141,6 +141,88 @@ static void one_error_of_tau_p_by_hand(void **state)
     clod_locus_fini(&locus);
 }
 
+/** Whether a text has this in it. */
+static void assert_told(char *text, const char *words)
+{
+    if (text == NULL || strstr(text, words) == NULL) {
+        fail_msg("\"%s\" is not in:\n%s", words, text);
+    }
+    clod_locus_free(text);
+}
+
+// The printed report of a laboratory: one tau_p for all points, and no error of it. atan(0.85) is 40.36 deg. That of
+// the line is as by hand above: 30 Pa sqrt(6 (1/3 + 25/8)) = 137 Pa.
+static void an_error_of_tau_p_that_nobody_states_is_not_zero(void **state)
+{
+    (void)state;
+    static clod_status status;
+    for (int k = 0; k < 2; k++) {
+        clod_locus_point points[3];
+        bent_points(0.0, points);
+        for (size_t i = 0; k == 1 && i < 3; i++) { // preshears of their own that tell the same
+            points[i].rho_b = 1500.0 + 10.0 * (double)i;
+        }
+        clod_locus_study *study = clod_locus_study_create(points, 3, &status);
+        assert_non_null(study);
+        const clod_locus *locus = &study->groups[0].locus;
+        assert_true(locus->preshear_untold);
+        assert_true(isnan(locus->tau_p.error));
+        assert_true(isnan(locus->phi_sf.error));
+        assert_near(locus->c.error, 30.0 * sqrt(6.0 * (1.0 / 3.0 + 25.0 / 8.0)), 1e-3);
+        assert_true(locus->sigma_1.error > 0.0); // of the line alone
+        assert_told(clod_locus_table(study), "tau_p        8.500 ±        -  kPa");
+        assert_told(clod_locus_table(study), "phi_sf       40.36 ±        -  deg");
+        assert_told(clod_locus_table(study), "c            2.000 ±    0.137  kPa");
+        assert_told(clod_locus_table(study),
+                    k == 1
+                        ? "errors of the points;\n  error of tau_p not known: not in those of "
+                          "sigma_1, sigma_2, phi_e, ffc.\n"
+                        : "between specimens not included;\n  error of tau_p not known: ");
+        assert_told(clod_locus_csv(study), ",8500,,");
+        assert_told(clod_locus_json(study),
+                    k == 1 ? "\"errors_note\": \"error of tau_p not known: not in those of"
+                           : "\"errors_note\": \"one specimen: scatter between specimens not "
+                             "included; error of tau_p not known");
+        clod_locus_study_destroy(&study);
+    }
+}
+
+// What is stated for a point stays with it; a point without has none, not 0.
+static void points_keep_the_errors_that_they_state(void **state)
+{
+    (void)state;
+    static clod_status status;
+    clod_locus_point points[3];
+    bent_points(200.0, points);
+    points[1].tau_s_error = 25.0;
+    clod_locus_study *study = clod_locus_study_create(points, 3, &status);
+    assert_non_null(study);
+    assert_told(clod_locus_json(study), "\"tau_s_error_Pa\": null");
+    assert_told(clod_locus_json(study), "\"tau_s_error_Pa\": 25.0");
+    clod_locus_study_destroy(&study);
+}
+
+// Seeds whose specimens all tell the same tau_p are such a report too; they scatter by their lines.
+static void seeds_of_one_tau_p_tell_no_error_of_it(void **state)
+{
+    (void)state;
+    static clod_status status;
+    clod_locus_point points[6];
+    bent_points(0.0, points);
+    bent_points(0.0, points + 3);
+    for (size_t i = 3; i < 6; i++) {
+        points[i].seed = 1;
+        points[i].tau_s += 50.0;
+    }
+    clod_locus_study *study = clod_locus_study_create(points, 6, &status);
+    assert_non_null(study);
+    const clod_locus *locus = &study->groups[0].locus;
+    assert_true(locus->preshear_untold);
+    assert_true(isnan(locus->tau_p.error));
+    assert_near(locus->c.error, 25.0, 1e-9); // 50 Pa apart: half of it
+    clod_locus_study_destroy(&study);
+}
+
 // One specimen has one bulk density: its stated error, or none; three have that of their mean.
 static void bulk_density_is_measured_once_per_preshear(void **state)
 {
@@ -232,6 +314,9 @@ int main(void)
         cmocka_unit_test(five_points_of_one_preshear_have_its_error_once),
         cmocka_unit_test(two_preshears_of_one_seed_are_independent),
         cmocka_unit_test(one_error_of_tau_p_by_hand),
+        cmocka_unit_test(an_error_of_tau_p_that_nobody_states_is_not_zero),
+        cmocka_unit_test(seeds_of_one_tau_p_tell_no_error_of_it),
+        cmocka_unit_test(points_keep_the_errors_that_they_state),
         cmocka_unit_test(bulk_density_is_measured_once_per_preshear),
         cmocka_unit_test(points_alike_in_all_of_preshear_share_it),
         cmocka_unit_test(points_that_differ_in_preshear_had_their_own),

@@ -188,6 +188,34 @@ static void an_angle_that_no_wall_has_is_told(void **state)
     expect_only(sticky, 3, NULL);
 }
 
+/** A simulation has no columns to exchange and no units to mistake: what else it may be is said. */
+static void an_angle_that_no_simulated_wall_has(void **state)
+{
+    (void)state;
+    static const struct {
+        double tau[3];
+        const char *text;
+    } CASES[] = {{{900.0, 700.0, 500.0}, "Was shear steady at each point?"},
+                 {{2e3, 8e3, 14e3}, "no wall is as rough. Look at the plate"},
+                 {{10.0, 20.0, 30.0}, "no wall is as smooth. Has the plate a friction"}};
+    for (size_t k = 0; k < sizeof CASES / sizeof *CASES; k++) {
+        clod_wall_locus_point points[3];
+        for (int i = 0; i < 3; i++) {
+            const double sigma = 2e3 * (double)(i + 1);
+            points[i] = (clod_wall_locus_point){
+                .sigma = sigma, .tau = CASES[k].tau[i], .wall_stress = sigma};
+        }
+        clod_wall_locus locus = evaluate(points, 3);
+        assert_non_null(strstr(locus.warnings[0], CASES[k].text));
+        assert_null(strstr(locus.warnings[0], "column"));
+        clod_wall_locus_fini(&locus);
+        points[1].wall_stress = 0.0; // a table
+        locus = evaluate(points, 3);
+        assert_non_null(strstr(locus.warnings[0], "column"));
+        clod_wall_locus_fini(&locus);
+    }
+}
+
 /** In the text, the JSON and the CSV too, where the stress that was asked for is, if it is stated. */
 static void what_was_not_steady_is_marked(void **state)
 {
@@ -237,6 +265,7 @@ int main(void)
         cmocka_unit_test(what_is_no_locus_is_refused),
         cmocka_unit_test(a_locus_that_is_odd_says_so),
         cmocka_unit_test(an_angle_that_no_wall_has_is_told),
+        cmocka_unit_test(an_angle_that_no_simulated_wall_has),
         cmocka_unit_test(a_small_error_is_no_zero),
         cmocka_unit_test(what_was_not_steady_is_marked),
     };

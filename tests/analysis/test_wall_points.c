@@ -62,6 +62,8 @@ static void angles_stand_for_shear_stresses(void **state)
     expect_error("sigma_w [kPa],phi_x [deg]\n4,85\n", "wall.csv:2: column phi_x");
     expect_error("sigma_w [kPa],phi_x\n4,25\n", "phi_x");
     expect_error("phi_x [deg],tau_x [kPa]\n25,1\n", "sigma_w");
+    expect_error("sigma_w [kPa],tau_w [kPa],place\n4,1,2\n",
+                 "phi_x_error, wall_stress, steady"); // all columns that are taken are told
     // with shear stresses the angle beside them is checked, atan(1/4) = 14.04 deg, and may be left out of a row
     static const char BOTH[] = "sigma_w [kPa],tau_w [kPa],phi_x [deg]\n4,1,14.9\n4,1,\n";
     assert_true(

@@ -120,6 +120,16 @@ static void numbers_of_which_the_table_has_no_error(void **state)
                "rho_b 1820 +- 20 kg/m3 in targets.1 is not that of the yield locus");
 }
 
+// sigma_1 and phi_e by docs/theory/yield-locus.md, eq. (4): M = 64.723 and R = 41.213 kPa, phi_e = 39.55 deg. The error
+// that clod locus has of it lacks that of tau_p, so it counts for no less than the number's: 4 sqrt(2) 0.5 deg = 2.83 deg.
+static void numbers_whose_error_lacks_that_of_preshear(void **state)
+{
+    write_errors(state, 5.0);
+    load_beside(state, "phi_e, value: 42.2 deg, error: 0.5 deg");
+    lab_refuse(state, RING, BESIDE("", "phi_e, value: 42.5 deg, error: 0.5 deg"),
+               "39.5 +- 0.5 deg (clod locus), by 4.2 standard errors");
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
 
 int main(void)
@@ -131,6 +141,7 @@ int main(void)
         TEST(strength_beside_a_line_with_no_cohesion),
         TEST(error_of_the_plan_for_points_without),
         TEST(numbers_of_which_the_table_has_no_error),
+        TEST(numbers_whose_error_lacks_that_of_preshear),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

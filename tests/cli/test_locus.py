@@ -27,6 +27,17 @@ class Locus(clod.Case):
         with open(self.path(name), "w", **more) as file:
             file.write(text)
 
+    def test_help_has_every_column(self):
+        """All columns that a table may have, as its complaint of an unknown one lists them."""
+        told = " ".join(self.locus("--help").stdout.split())
+        for head, row in (("sigma_w [kPa],tau_w [kPa],place\n", "4,1,2\n"), ("sigma_sh [kPa],tau_sh [kPa],place\n", "4,1,2\n")):
+            said = self.locus("-", input=head + row, code=2).stderr
+            known = re.search(r"Known are (.*)\.", said)[1]
+            names = [name for name in re.findall(r"\w+", re.sub(r"\(or [^)]*\)", "", known))]
+            self.assertGreater(len(names), 7)
+            for name in names:
+                self.assertIn(name, told)
+
     def test_standard_input_and_output(self):
         self.write("points.csv", GOOD)
         for form in ([], ["--json"], ["--csv"]):

@@ -25,6 +25,21 @@ class Joint(hopper_case.Case):
                    + "\n".join(rows) + "\n")
         return clod.run("locus", "points.csv", "--csv", cwd=self.folder).stdout
 
+    def test_a_preshear_without_an_error_is_not_exact(self):
+        """A laboratory's printed report has one tau_pre for each locus. The points as such and their table say the same."""
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]%s\n"
+        rows = [f"{p},{t},{k * p},{c + 0.7 * k * p * f:.4f},{r}" for p, t, c, r in ((3, 2.5, 0.6, 1250), (10, 7.9, 1.4, 1300))
+                for k, f in ((0.3, 1.01), (0.45, 0.98), (0.6, 1.0), (0.75, 1.01))]
+        words = "Without errors, and so not part of the intervals: "
+        missing = "shear stress of preshear (tau_pre_error) in sigma_1 and phi_e"
+        for more, cell, warned in (("", "", True), (",tau_pre_error [kPa]", ",0.1", False)):
+            self.write("points.csv", head % more + "".join(row + cell + "\n" for row in rows))
+            self.write("table.csv", clod.run("locus", "points.csv", "--csv", cwd=self.folder).stdout)
+            for key in ("shear_tests: [{points: points.csv}]", "file: table.csv"):
+                self.write("case.yaml", CASE % key)
+                told = self.told()
+                self.assertEqual(words + missing in told, warned, told)
+
     def told(self):
         return " ".join(self.hopper("case.yaml").stdout.split())
 

@@ -172,6 +172,29 @@ static void a_second_round_looks_different(void **state)
     clod_figure_fini(&figure);
 }
 
+/** Points on a curve of their own colour are seen by a black edge; one that is vague is empty. */
+static void marks_on_a_curve_stand_out(void **state)
+{
+    (void)state;
+    const double x[2] = {0.0, 1.0}, error[2] = {0.1, 0.1};
+    clod_figure figure;
+    clod_figure_init(&figure, "marks", "marks");
+    clod_figure_add(&figure, "", CLOD_FIGURE_READ, 0, 2, x, x, error);
+    clod_figure_add(&figure, "", CLOD_FIGURE_VAGUE, 1, 2, x, x, NULL);
+    clod_figure_add(&figure, "", CLOD_FIGURE_THIN, 2, 2, x, x, NULL);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    assert_non_null(out);
+    clod_figure_svg(out, &figure);
+    char *svg = clod_text_close(&text);
+    assert_non_null(strstr(svg, " fill=\"#0072b2\" stroke=\"#000000\""));
+    assert_non_null(strstr(svg, " stroke=\"#000000\" stroke-width=\"1.5\"/>"));
+    assert_non_null(strstr(svg, " fill=\"#ffffff\" stroke=\"#d55e00\""));
+    assert_non_null(strstr(svg, " stroke=\"#009e73\" stroke-width=\"0.9\""));
+    clod_memory_free(svg);
+    clod_figure_fini(&figure);
+}
+
 /** Lines that a page has side by side: whatever their round, with no colour at all. */
 static void dashes_of_all_rounds_differ(void **state)
 {
@@ -229,6 +252,7 @@ int main(void)
         cmocka_unit_test(equal_scales_are_equal),
         cmocka_unit_test(a_circle_has_its_radius),
         cmocka_unit_test(a_second_round_looks_different),
+        cmocka_unit_test(marks_on_a_curve_stand_out),
         cmocka_unit_test(dashes_of_all_rounds_differ),
         cmocka_unit_test(curves_that_look_alike_are_told),
     };

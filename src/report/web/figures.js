@@ -36,7 +36,9 @@ function sizeOf(width) {
 function traceOf(figure, curve, width) {
   const times = (list, factor) => list.map(value => value === null ? null : value * factor);
   const dots = curve.style === "dots";
-  const marks = dots || curve.style === "points" || curve.style === "hollow";
+  const marks = dots || ["points", "hollow", "read", "vague"].includes(curve.style);
+  const hollow = ["hollow", "vague"].includes(curve.style);
+  const edge = curve.style === "read" ? "#000000" : curve.colour; // it lies on a curve of its colour
   const trace = {
     x: times(curve.x, figure.x.factor),
     y: times(curve.y, figure.y.factor),
@@ -53,12 +55,12 @@ function traceOf(figure, curve, width) {
   if (dots) {
     trace.marker = {color: curve.colour, size: 4, opacity: 0.7};
   } else if (marks) {
-    trace.marker = {symbol: MARK[curve.round], color: curve.style === "hollow" ? "#ffffff" : curve.colour, size: 9, line: {color: curve.colour, width: 2}};
+    trace.marker = {symbol: MARK[curve.round], color: hollow ? "#ffffff" : curve.colour, size: figure.equal && width < 480 ? 6 : 9, line: {color: edge, width: 2}};
   } else {
-    trace.line = {color: curve.colour, width: 2, dash: curve.dashes === "" ? "solid" : curve.dashes.replaceAll(/(\d+)/g, "$1px").replaceAll(" ", ",")};
+    trace.line = {color: curve.colour, width: curve.style === "thin" ? 1 : 2, dash: curve.dashes === "" ? "solid" : curve.dashes.replaceAll(/(\d+)/g, "$1px").replaceAll(" ", ",")};
   }
   if (curve.error) {
-    trace.error_y = {type: "data", array: times(curve.error, figure.y.factor), color: curve.colour, thickness: 1.5};
+    trace.error_y = {type: "data", array: times(curve.error, figure.y.factor), color: ["read", "vague"].includes(curve.style) ? "#000000" : curve.colour, thickness: 1.5};
   }
   return trace;
 }
