@@ -9,6 +9,7 @@
 #include "calibrate/posterior_look.h"
 
 #define WARM_UP 2000
+#define ANEW 100           ///< first stream of the chains that start anew
 #define DRAWN 1000000      ///< first stream of what surrogates of used targets do not know
 #define DRAWN_BACK 2000000 ///< and of those held back
 
@@ -178,6 +179,7 @@ static bool relate(const clod_posterior_runs *runs, clod_posterior *self, clod_s
            clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
 }
 
+/** Sample; once more from common starts, where chains lie apart. */
 static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
 {
     const clod_plan *plan = runs->plan;
@@ -185,18 +187,22 @@ static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_s
                   clod_posterior_room(self, 0),
                   clod_memory_alloc(clod_misfit_room(self->misfit), sizeof(double))};
     const bool good = of.told != NULL && of.room != NULL && of.misfit_room != NULL;
-    const clod_chain_setup setup = {.dimensions = self->dimensions,
-                                    .chains = CLOD_POSTERIOR_CHAINS,
-                                    .warm_up = WARM_UP,
-                                    .kept = self->count / CLOD_POSTERIOR_CHAINS,
-                                    .choices = self->used,
-                                    .options = self->draws,
-                                    .seed = (uint64_t)plan->seed,
-                                    .density = log_density,
-                                    .context = &of,
-                                    .stop = runs->stop};
-    const bool done =
-        good && clod_chain_run(&setup, self->samples, self->chosen, &self->accepted);
+    clod_chain_setup setup = {.dimensions = self->dimensions,
+                              .chains = CLOD_POSTERIOR_CHAINS,
+                              .warm_up = WARM_UP,
+                              .kept = self->count / CLOD_POSTERIOR_CHAINS,
+                              .choices = self->used,
+                              .options = self->draws,
+                              .seed = (uint64_t)plan->seed,
+                              .density = log_density,
+                              .context = &of,
+                              .stop = runs->stop};
+    bool done = good && clod_chain_run(&setup, self->samples, self->chosen, &self->accepted);
+    if (done && clod_posterior_look_apart(self)) { // a chain may stay where it began
+        setup.pooled = true;
+        setup.stream = ANEW;
+        done = clod_chain_run(&setup, self->samples, self->chosen, &self->accepted);
+    }
     clod_memory_free(of.told);
     clod_memory_free(of.room);
     clod_memory_free(of.misfit_room);

@@ -17,6 +17,7 @@
 
 #define LOOKED 2000 ///< samples at which the targets are predicted
 #define EDGE 0.05
+#define ALONG 21  ///< places along the range of a parameter
 #define DICE 1000 ///< stream of random numbers beside those of the chains
 
 void clod_posterior_look_ask(const clod_posterior *self, const double *place,
@@ -53,6 +54,23 @@ static void interval(double *values, size_t stride, size_t count, double level, 
     *high = gsl_stats_quantile_from_sorted_data(values, stride, count, 1.0 - tail);
 }
 
+/** Samples of one parameter. */
+static clod_chain_series series_of(const clod_posterior *self, size_t k)
+{
+    return (clod_chain_series){self->samples + k, CLOD_POSTERIOR_CHAINS,
+                               self->count / CLOD_POSTERIOR_CHAINS, self->dimensions};
+}
+
+bool clod_posterior_look_apart(const clod_posterior *self)
+{
+    bool apart = false;
+    for (size_t k = 0; k < self->dimensions; k++) {
+        const clod_chain_series series = series_of(self, k);
+        apart = apart || !(clod_chain_rhat(&series) <= CLOD_POSTERIOR_APART);
+    }
+    return apart;
+}
+
 /** Moments, interval and agreement of one parameter. `room` [count] */
 static void look_at_parameter(const clod_plan *plan, clod_posterior *self, size_t k,
                               double *room)
@@ -60,8 +78,7 @@ static void look_at_parameter(const clod_plan *plan, clod_posterior *self, size_
     clod_posterior_parameter *to = &self->parameters[k];
     const double *samples = self->samples + k;
     const size_t d = self->dimensions;
-    const clod_chain_series series = {samples, CLOD_POSTERIOR_CHAINS,
-                                      self->count / CLOD_POSTERIOR_CHAINS, d};
+    const clod_chain_series series = series_of(self, k);
     to->rhat = clod_chain_rhat(&series);
     to->effective = clod_chain_effective(&series);
     to->mean = gsl_stats_mean(samples, d, self->count);
@@ -145,12 +162,65 @@ static void predict(const clod_plan *plan, clod_posterior *self, size_t t, const
     interval(at->values, 1, at->looked, plan->sampling.level, &to->low, &to->high);
 }
 
+/** How much a surrogate changes along a parameter, the others at their means: between its least and its greatest mean,
+ *  over the deviation of a difference of two numbers with theirs. */
+static double change(const clod_posterior *self, size_t t, size_t k, double *room)
+{
+    double place[CLOD_SURROGATE_MOST];
+    clod_surrogate_value least = {HUGE_VAL, 0.0}, greatest = {-HUGE_VAL, 0.0};
+    for (size_t m = 0; m < self->dimensions; m++) {
+        place[m] = self->parameters[m].mean;
+    }
+    for (int i = 0; i < ALONG; i++) {
+        place[k] = (double)i / (ALONG - 1);
+        const clod_surrogate_value told = clod_posterior_told(self, t, place, room);
+        least = told.mean < least.mean ? told : least;
+        greatest = told.mean > greatest.mean ? told : greatest;
+    }
+    const double from_to = greatest.mean - least.mean;
+    const double deviation = sqrt(least.variance + greatest.variance);
+    return from_to > 0.0 ? from_to / deviation : 0.0;
+}
+
+/** What moves with a parameter. */
+static void look_at_moves(const clod_plan *plan, clod_posterior *self, size_t k, double *room)
+{
+    self->parameters[k].moved = 0.0;
+    for (size_t t = 0; t < self->target_count; t++) {
+        if (!plan->targets[t].held_back) {
+            self->parameters[k].moved =
+                fmax(self->parameters[k].moved, change(self, t, k, room));
+        }
+    }
+}
+
+/** Take back what samples of chains that lie apart cannot tell. */
+static void take_back(clod_posterior *self)
+{
+    const size_t d = self->dimensions;
+    for (size_t k = 0; k < d; k++) {
+        clod_posterior_parameter *one = &self->parameters[k];
+        one->mean = one->deviation = one->low = one->high = (double)NAN;
+        one->width = one->moved = (double)NAN;
+        for (size_t m = 0; m < d; m++) {
+            self->correlation[k * d + m] = k == m ? 1.0 : (double)NAN;
+        }
+    }
+    for (size_t t = 0; t < self->target_count; t++) {
+        clod_posterior_target *one = &self->targets[t];
+        one->mean = one->off = one->low = one->high = (double)NAN;
+    }
+}
+
 /** Parameters, targets, and how well the targets go together. */
 static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight *at,
                         clod_status *status)
 {
     for (size_t k = 0; k < self->dimensions; k++) {
         look_at_parameter(plan, self, k, at->values);
+    }
+    for (size_t k = 0; k < self->dimensions; k++) {
+        look_at_moves(plan, self, k, at->room);
     }
     for (size_t t = 0; t < self->target_count; t++) {
         const bool used = !plan->targets[t].held_back;
@@ -163,6 +233,10 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
     }
     for (size_t t = 0; t < self->target_count; t++) {
         predict(plan, self, t, at);
+    }
+    self->apart = clod_posterior_look_apart(self);
+    if (self->apart) {
+        take_back(self);
     }
     return true;
 }

@@ -6,12 +6,13 @@
 
 #include "calibrate/posterior.h"
 
-#define CLOD_POSTERIOR_CHAINS 4
-
 /** What the surrogates of the used targets say at a place, each by one of its draws.
  *  @param chosen [used]  @param told [out] [targets]  @param room clod_posterior_room */
 void clod_posterior_look_ask(const clod_posterior *self, const double *place,
                              const size_t *chosen, clod_surrogate_value *told, double *room);
+
+/** Whether the chains lie apart: R-hat of a parameter is above CLOD_POSTERIOR_APART. */
+bool clod_posterior_look_apart(const clod_posterior *self);
 
 /**
  * Look at the samples of a posterior: parameters, correlations, targets, chi-square and p.
