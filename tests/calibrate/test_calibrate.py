@@ -4,6 +4,7 @@ import datetime
 import json
 import math
 import os
+import re
 import signal
 import sys
 
@@ -107,6 +108,27 @@ class Calibrate(bounce.Bounce):
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.path("again/case-complete.yaml")) as file:
             self.assertIn(f"restitution: {mean:.4g}", file.read())
+
+    def test_target_out_of_reach_identifies_nothing(self):
+        """No restitution gives 6e-4 J, and no stiffness changes the energy: its samples lie where the surrogate is least sure."""
+        text = PLAN.replace("to: 0.9}\n", "to: 0.9}\n  k: {key: contacts.default.k1, from: 5e4 N/m, to: 2e5 N/m, scale: log}\n")
+        text = re.sub("value: [^,]*, error: 4e-6", "value: 6e-4, error: 4e-6", text)
+        told = self.calibrate(text, "-o", "out").stdout
+        found = self.found()
+        self.assertLess(found["p_value"], 1e-6)
+        self.assertFalse(found["chains_apart"])
+        for name in "ek":
+            self.assertEqual(found["parameters"][name]["identified"], "missed")
+        self.assertIn("and tell no parameter", " ".join(told.split()))
+        self.assertIn("These targets do not tell k: over its range none changes", " ".join(told.split()))
+        self.assertNotIn("k wants to go beyond", told)
+        self.assertIn("e wants to go beyond the upper end", told)
+        with open(self.path("out/card.yaml")) as file:
+            self.assertEqual(file.read().count("; not identified: the targets are missed\n"), 2)
+        self.assertEqual(clod.run("report", "out", cwd=self.folder).returncode, 0)
+        page = pages.load(self.path("out/report.html"))
+        self.assertIn("missed", page.row("k [N/m]"))
+        self.assertNotIn("identified: yes", page.text)
 
     @clod.quick_only
     def test_interrupted_it_goes_on_to_the_same_results(self):
