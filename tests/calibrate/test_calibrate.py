@@ -199,9 +199,10 @@ class Calibrate(bounce.Bounce):
     def test_check_estimates_points_and_warns_of_a_small_budget(self):
         told = self.calibrate(PLAN, "--check", "-j", "2").stderr
         self.assertRegex(told, "a point takes [0-9.e-]+ s with 2 runs side by side, and 9 points")
-        told = self.calibrate(PLAN.replace("points: 9", "budget: 1 us"), "--check", "-j", "1").stderr
-        self.assertIn("WARNING: the budget of 1e-06 s looks too small", told)
-        self.assertIn("so 0 fit, and 1 parameter needs at least 5", told)
+        refused = self.calibrate(PLAN.replace("points: 9", "budget: 1 us"), "--check", "-j", "1", code=2)
+        self.assertIn("plan.yaml: the budget of 1e-06 s looks too small", refused.stderr)
+        self.assertIn("so 0 fit, and 1 parameter needs at least 5", refused.stderr)
+        self.assertEqual(refused.stdout, "")
         told = self.calibrate(PLAN.replace("points: 9", "budget: 1 d"), "--check").stderr
         self.assertIn("about 1000 points fit the budget of 24 h 00 min", told)
         told = self.calibrate(PLAN.replace("points: 9", "budget: 48 h"), "--check").stderr
@@ -270,6 +271,8 @@ class Calibrate(bounce.Bounce):
             self.refuse(ring, key, (target, new), words=words, files=files)
 
         shear("number: phie, value: 40 deg, error: 1 deg", "has no number phie; did you mean phi_e?")
+        shear("number: phi_x, value: 20 deg, error: 1 deg", "has no number phi_x, which is one of a wall friction test; it has phi_lin,")
+        shear("number: repose.heap.angle_deg, value: 34 deg, error: 1 deg", "has no number repose.heap.angle_deg, which is one of a free run; it has")
         shear("number: xyzxyz, value: 40 deg, error: 1 deg", "it has phi_lin, phi_e, phi_sf, c, tau_p")
         shear("number: phi_e, value: 95 deg, error: 1 deg",
               "95 deg is impossible; allowed is 0.1 to 85 deg")
