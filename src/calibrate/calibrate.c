@@ -109,6 +109,9 @@ static bool tell_estimate(const clod_plan *plan, const clod_calibrate_options *o
         return false;
     }
     clod_estimate_text(&estimate, plan, workers, text, sizeof text);
+    if (clod_estimate_hopeless(&estimate, plan)) {
+        return clod_status_fail(status, CLOD_USAGE, "%s: %s", plan->path, text);
+    }
     if (options->tell != NULL) {
         options->tell(options->context, text);
     }

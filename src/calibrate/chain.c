@@ -71,42 +71,89 @@ static size_t draw_choice(chain *self)
     return at < self->setup->options ? at : self->setup->options - 1;
 }
 
+static void draw_choices(chain *self)
+{
+    for (size_t k = 0; k < self->setup->choices; k++) {
+        self->chosen[k] = draw_choice(self);
+    }
+}
+
+static void draw_place(chain *self, double *place)
+{
+    for (size_t k = 0; k < self->setup->dimensions; k++) {
+        place[k] = uniform(self);
+    }
+}
+
+/** Places so far, of which one is kept, each as likely as its density. */
+typedef struct urn {
+    double top; ///< the largest density so far
+    double sum; ///< of all densities over the largest
+} urn;
+
+/** Whether the next place takes the place of the one that was kept. One after the other, so that none but that needs
+ *  to be kept. */
+static bool takes(chain *self, urn *from, double density, bool first)
+{
+    if (density > from->top) {
+        from->sum = from->top > -HUGE_VAL ? from->sum * exp(from->top - density) : 0.0;
+        from->top = density;
+    }
+    const double weight = from->top > -HUGE_VAL ? exp(density - from->top) : 0.0;
+    from->sum += weight;
+    return first || uniform(self) * from->sum < weight;
+}
+
 /** A start drawn from random places, each with its density as its weight: a chain that began anywhere could
- *  stay at a lesser summit far from all others. One after the other, so that none needs to be kept. */
+ *  stay at a lesser summit far from all others. */
 static void draw_start(chain *self)
 {
-    const size_t d = self->setup->dimensions;
-    double top = -HUGE_VAL; // the largest density so far
-    double sum = 0.0;       // of all densities over the largest
+    urn from = {-HUGE_VAL, 0.0};
     self->density = -HUGE_VAL;
     for (int tried = 0; tried < STARTS && !self->stopped; tried++) {
         double place[CLOD_CHAIN_MOST];
-        for (size_t k = 0; k < d; k++) {
-            place[k] = uniform(self);
-        }
+        draw_place(self, place);
         const double density = density_at(self, place);
-        if (density > top) {
-            sum = top > -HUGE_VAL ? sum * exp(top - density) : 0.0;
-            top = density;
-        }
-        const double weight = top > -HUGE_VAL ? exp(density - top) : 0.0;
-        sum += weight;
-        if (tried == 0 || uniform(self) * sum < weight) {
-            memcpy(self->point, place, d * sizeof *place);
+        if (takes(self, &from, density, tried == 0)) {
+            memcpy(self->point, place, self->setup->dimensions * sizeof *place);
             self->density = density;
         }
     }
 }
 
+/** The same from the places of all chains, each with whole numbers of its own: they are the numbers of a chain behind
+ *  the last one, so all chains have the same places. */
+static void draw_pooled_start(chain *self)
+{
+    chain all = {.setup = self->setup, .number = self->setup->chains, .chosen = self->chosen};
+    urn from = {-HUGE_VAL, 0.0};
+    uint64_t kept = 0; // where the random numbers of the place that is kept begin
+    self->density = -HUGE_VAL;
+    for (size_t tried = 0; tried < STARTS * self->setup->chains && !self->stopped; tried++) {
+        double place[CLOD_CHAIN_MOST];
+        const uint64_t begin = all.draw;
+        draw_choices(&all);
+        draw_place(&all, place);
+        const double density = density_at(self, place);
+        if (takes(self, &from, density, tried == 0)) {
+            self->density = density;
+            kept = begin;
+        }
+    }
+    all.draw = kept;
+    draw_choices(&all);
+    draw_place(&all, self->point);
+}
+
 static void start(chain *self)
 {
     const size_t d = self->setup->dimensions;
-    for (size_t k = 0; k < self->setup->choices; k++) {
-        self->chosen[k] = draw_choice(self);
-    }
+    draw_choices(self);
     if (self->setup->start != NULL) {
         memcpy(self->point, self->setup->start, d * sizeof *self->point);
         self->density = density_at(self, self->point);
+    } else if (self->setup->pooled) {
+        draw_pooled_start(self);
     } else {
         draw_start(self);
     }

@@ -25,6 +25,8 @@ typedef struct clod_chain_setup {
     size_t choices; ///< whole numbers that are sampled beside the point; mostly 0
     size_t options; ///< each of them is below this, and all are as likely before the density
     const double *start; ///< where all chains begin; NULL: at random places
+    bool
+        pooled; ///< each chain begins at one of the random places of all chains; not with `start`
     uint64_t seed;
     uint64_t stream; ///< of the first chain's random numbers; the next chain has the next one
     clod_chain_density density;
@@ -35,7 +37,9 @@ typedef struct clod_chain_setup {
 /**
  * Sample. Proposals are normal with the chain's own covariance, times a scale that brings the accepted
  * share near 0.3; both are found in the warm-up and fixed afterwards. Each chain starts at
- * one of many random places, drawn by their densities, unless `start` is given. After each step of the point one of
+ * one of many random places of its own, drawn by their densities, unless `start` is given; with `pooled` at one of as many
+ * random places a chain, each with whole numbers of its own, that all chains draw from: where one place is likelier than
+ * all others by far, all begin there. After each step of the point one of
  * the whole numbers is drawn anew and accepted by the ratio of the densities, each in its turn.
  *
  * @param samples   [out] [chains][kept][dimensions]

@@ -8,7 +8,8 @@
 #include "clod/check.h"
 #include "sim/check_testers.h"
 
-#define WHOLE 10.0 ///< s, from which on whole ones are enough
+#define HOPELESS 3.0 ///< times the budget
+#define WHOLE 10.0   ///< s, from which on whole ones are enough
 
 bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
                         clod_status *status)
@@ -37,6 +38,11 @@ const char *clod_estimate_clock(double seconds, char words[CLOD_ESTIMATE_WORDS])
     return words;
 }
 
+bool clod_estimate_hopeless(const clod_estimate *self, const clod_plan *plan)
+{
+    return plan->points == 0 && (double)self->least * self->each > HOPELESS * plan->budget;
+}
+
 void clod_estimate_text(const clod_estimate *self, const clod_plan *plan, int workers,
                         char *text, size_t size)
 {
@@ -50,9 +56,10 @@ void clod_estimate_text(const clod_estimate *self, const clod_plan *plan, int wo
                  clod_estimate_clock(self->points * self->each, words));
     } else if (self->points < (double)self->least) {
         snprintf(text, size,
-                 "WARNING: the budget of %s looks too small: %s, so %.0f fit%s, and %zu "
+                 "%sthe budget of %s looks too small: %s, so %.0f fit%s, and %zu "
                  "parameter%s need%s at least %zu: %s. Smaller cells, softer contacts or "
                  "fewer seeds make runs shorter.",
+                 clod_estimate_hopeless(self, plan) ? "" : "WARNING: ",
                  clod_estimate_clock(plan->budget, words), point, self->points,
                  self->points == 1.0 ? "s" : "", plan->parameter_count,
                  clod_plural((double)plan->parameter_count),

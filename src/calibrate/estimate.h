@@ -28,6 +28,10 @@ bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
 /** A time on the clock in words: "0.44 s", "152 s", "25 min", "2 h 05 min", "2.0 days". */
 const char *clod_estimate_clock(double seconds, char words[CLOD_ESTIMATE_WORDS]);
 
-/** It in words; a warning where the budget is too small for the parameters. */
+/** Whether a budget is so small that even an estimate, which may be off, says that the parameters' points do not fit:
+ *  they take more than three times as long. Test  tests/calibrate/test_estimate.c */
+bool clod_estimate_hopeless(const clod_estimate *self, const clod_plan *plan);
+
+/** It in words; a warning where the budget is too small for the parameters, the text of an error where it is hopeless. */
 void clod_estimate_text(const clod_estimate *self, const clod_plan *plan, int workers,
                         char *text, size_t size);

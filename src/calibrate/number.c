@@ -21,6 +21,20 @@ const clod_number *clod_number_find(const clod_plan_test *of, const char *key)
     return NULL;
 }
 
+/** The test that has a number, where the one that is asked for has not; NULL: none has. */
+static const char *test_with(const char *key)
+{
+    for (int k = 0; k < CLOD_CASE_KINDS; k++) {
+        const clod_test_kind *kind = clod_test_kinds_row((clod_case_kind)k);
+        for (size_t n = 0; !kind->paths && n < kind->number_count; n++) {
+            if (strcmp(kind->numbers[n].key, key) == 0) {
+                return kind->name;
+            }
+        }
+    }
+    return strchr(key, '.') != NULL ? clod_test_kinds_row(CLOD_CASE_FREE)->name : NULL;
+}
+
 const char *clod_number_hint(const clod_plan_test *of, const char *key, char *buffer,
                              size_t size)
 {
@@ -28,15 +42,20 @@ const char *clod_number_hint(const clod_plan_test *of, const char *key, char *bu
     if (kind->paths) {
         return clod_number_path_hint(&of->paths, key, buffer, size);
     }
-    clod_suggest near = clod_suggest_start(key);
-    for (size_t k = 0; k < kind->number_count; k++) {
-        clod_suggest_offer(&near, kind->numbers[k].key);
+    const char *other = test_with(key);
+    if (other == NULL) {
+        clod_suggest near = clod_suggest_start(key);
+        for (size_t k = 0; k < kind->number_count; k++) {
+            clod_suggest_offer(&near, kind->numbers[k].key);
+        }
+        clod_suggest_text(&near, buffer, size);
+        if (buffer[0] != '\0') {
+            return buffer;
+        }
     }
-    clod_suggest_text(&near, buffer, size);
-    if (buffer[0] != '\0') {
-        return buffer;
-    }
-    size_t used = (size_t)snprintf(buffer, size, "; it has");
+    size_t used = (size_t)snprintf(buffer, size, "%s%s; it has",
+                                   other != NULL ? ", which is one of a " : "",
+                                   other != NULL ? other : "");
     for (size_t k = 0; k < kind->number_count && used < size; k++) {
         used += (size_t)snprintf(buffer + used, size - used, "%s %s", k == 0 ? "" : ",",
                                  kind->numbers[k].key);

@@ -55,7 +55,8 @@ const clod_number *clod_number_find(const clod_plan_test *of, const char *key);
 /** The same of a path (number_path.c). */
 const clod_number *clod_number_path_find(const clod_free_paths *of, const char *path);
 
-/** "; did you mean phi_e?" or "; it has phi_lin, ...": after an unknown number. */
+/** "; did you mean phi_e?", "; it has phi_lin, ..." or ", which is one of a wall friction test; it has ...": after an
+ *  unknown number. */
 const char *clod_number_hint(const clod_plan_test *of, const char *key, char *buffer,
                              size_t size);
 

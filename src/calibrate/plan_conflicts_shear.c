@@ -40,6 +40,8 @@ static const order ORDERS[] = {
      "which is the steepest line through the origin that meets the circle of steady flow"},
     {"c", "sigma_c", 2.0,
      "and sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) is not below 2 c at any angle"},
+    {"c", "sigma_1", 2.0,
+     "and sigma_1 is not below sigma_c, nor that below 2 c, unless steady flow reaches into tension"},
     {"sigma_2", "sigma_1", 1.0, "the major principal stress"},
 };
 
@@ -86,26 +88,103 @@ static void check_ends(clod_loader *loader, const clod_plan *self, size_t test, 
     }
 }
 
-/** tan(phi_sf) is tau_p over the stress of preshear. */
+/** The slope of steady flow, phi_sf: a target, or what a target tau_p says of it. */
+typedef struct steady {
+    double angle, error; ///< rad
+    const clod_plan_target *from;
+    char words[96]; ///< "tau_p 37.4 kPa in targets.0"
+} steady;
+
+/** tan(phi_sf) is tau_p over the stress of preshear. False: there is no such target. */
+static bool find_steady(const clod_plan *self, size_t test, const char *number, double stress,
+                        steady *to)
+{
+    const clod_plan_target *from = with(self, test, number);
+    if (from == NULL) {
+        return false;
+    }
+    *to = (steady){from->value, from->error, from, ""};
+    if (strcmp(number, "tau_p") == 0) {
+        to->angle = atan2(from->value, stress);
+        to->error = from->error * stress / (stress * stress + from->value * from->value);
+    }
+    snprintf(to->words, sizeof to->words, "%s %.4g %s in targets.%zu", number,
+             from->measure.factor * from->value, from->measure.unit, from->entry);
+    return true;
+}
+
+/** A tau_p has the limits of its phi_sf, which is not above phi_e. */
+static void check_tau_p(clod_loader *loader, const clod_plan *self, size_t test, double stress)
+{
+    steady of;
+    if (!find_steady(self, test, "tau_p", stress, &of)) {
+        return;
+    }
+    const double degrees = of.angle / CLOD_NUMBER_DEGREE;
+    if (!(degrees >= CLOD_ANGLES_LEAST && degrees <= CLOD_ANGLES_MOST)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: %s is a phi_sf of %.1f deg at the preshear stress of the case, %.4g kPa; it must be %.0f to "
+            "%.0f deg: check its unit, or give the test the preshear stress of that tau_p",
+            self->tests[test].name, of.words, degrees, 1e-3 * stress, CLOD_ANGLES_LEAST,
+            CLOD_ANGLES_MOST);
+    }
+    const clod_plan_target *angle = with(self, test, "phi_e");
+    if (angle != NULL && of.angle - angle->value > FIRM * hypot(of.error, angle->error)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: phi_e %.1f deg in targets.%zu is below phi_sf %.1f deg, which %s is at the preshear stress of "
+            "the case, %.4g kPa; phi_e is the steepest line through the origin that meets the circle of steady flow",
+            self->tests[test].name, angle->measure.factor * angle->value, angle->entry, degrees,
+            of.words, 1e-3 * stress);
+    }
+}
+
+/**
+ * The circle of steady flow goes through preshear, on the side of sigma_1 from where it touches the yield locus, and ends
+ * at sigma_2 >= 0. Its radius is then at most that of the circle from the origin, sp/(2 cos(phi_sf)^2), and a line that
+ * touches it and does not fall has at most the radius as its cohesion.
+ */
+static void check_most_cohesion(clod_loader *loader, const clod_plan *self, size_t test,
+                                const char *number, double stress)
+{
+    steady of;
+    const clod_plan_target *cohesion = with(self, test, "c");
+    if (cohesion == NULL || !find_steady(self, test, number, stress, &of)) {
+        return;
+    }
+    const double t = tan(of.angle);
+    const double most = 0.5 * stress * (1.0 + t * t);
+    const double error = stress * t * (1.0 + t * t) * of.error;
+    if (cohesion->value - most > FIRM * hypot(cohesion->error, error)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: c %.4g kPa in targets.%zu is too large for %s: with the preshear stress of the case, %.4g kPa, "
+            "steady flow that does not reach into tension has a c of at most %.4g kPa; correct or leave out one of "
+            "them",
+            self->tests[test].name, 1e-3 * cohesion->value, cohesion->entry, of.words,
+            1e-3 * stress, 1e-3 * most);
+    }
+}
+
+/** What goes with the stress of preshear. */
 static void check_preshear(clod_loader *loader, const clod_plan *self, size_t test)
 {
     const double stress = clod_case_shear(self->tests[test].middle)->preshear_stress;
+    steady angle, shear;
     check_ends(loader, self, test, stress);
-    const clod_plan_target *angle = with(self, test, "phi_sf");
-    const clod_plan_target *shear = with(self, test, "tau_p");
-    if (angle == NULL || shear == NULL) {
-        return;
-    }
-    const double of_shear = atan2(shear->value, stress);
-    const double slope =
-        stress / (stress * stress + shear->value * shear->value); // of the angle over tau_p
-    if (fabs(of_shear - angle->value) > FIRM * hypot(angle->error, slope * shear->error)) {
+    check_tau_p(loader, self, test, stress);
+    check_most_cohesion(loader, self, test, "tau_p", stress);
+    check_most_cohesion(loader, self, test, "phi_sf", stress);
+    if (find_steady(self, test, "phi_sf", stress, &angle) &&
+        find_steady(self, test, "tau_p", stress, &shear) &&
+        fabs(shear.angle - angle.angle) > FIRM * hypot(angle.error, shear.error)) {
         clod_check_fail(
             loader, "targets",
-            "test %s: phi_sf %.1f deg in targets.%zu is not that of tau_p %.4g kPa in targets.%zu "
+            "test %s: phi_sf %.1f deg in targets.%zu is not that of %s "
             "at the preshear stress of the case, %.4g kPa: %.1f deg; they contradict each other",
-            self->tests[test].name, angle->measure.factor * angle->value, angle->entry,
-            1e-3 * shear->value, shear->entry, 1e-3 * stress, angle->measure.factor * of_shear);
+            self->tests[test].name, angle.angle / CLOD_NUMBER_DEGREE, angle.from->entry,
+            shear.words, 1e-3 * stress, shear.angle / CLOD_NUMBER_DEGREE);
     }
 }
 

@@ -14,6 +14,11 @@
 #define CLOD_POSTERIOR_DRAWS 64     ///< of the hyperparameters of a surrogate, at most
 #define CLOD_POSTERIOR_LEAST_Q2 0.5 ///< of a surrogate that predicts points that are left out
 
+/** Of R-hat: chains with more lie apart, and tell nothing. The variance of all is then above 2.25 times that within a
+ *  chain; chains that agree have 1.1 at most (Gelman et al. 2013, 11.5). */
+#define CLOD_POSTERIOR_APART 1.5
+#define CLOD_POSTERIOR_CHAINS 4
+
 /** Runs so far: [points][seeds] of them, in this order. */
 typedef struct clod_posterior_runs {
     const clod_plan *plan;
@@ -41,6 +46,9 @@ typedef struct clod_posterior_target {
 typedef struct clod_posterior_parameter {
     double mean, deviation, low, high;
     double width; ///< interval over that of the range: 1: the targets tell nothing
+    double
+        moved; ///< most that a used target's surrogate changes over the range, others at their means, over the
+    ///< deviation of that change
     double rhat, effective;
     double below,
         above; ///< share of the samples in the lowest and the highest 5 % of the range
@@ -58,6 +66,9 @@ typedef struct clod_posterior {
     double accepted;
     double chi_square, p_value; ///< posterior predictive, of the targets that are used
     size_t used;                ///< targets
+    bool
+        apart; ///< chains lie apart, also from common starts: numbers of parameters and targets are NAN, but for R-hat,
+    ///< effective and what is known without samples; p and chi-square are the means over all chains
     bool predictive;     ///< the surrogate of one at least predicts points that are left out
     clod_misfit *misfit; ///< owned
 } clod_posterior;

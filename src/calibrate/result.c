@@ -16,17 +16,34 @@
 #define TOLD 0.25              // of the range: the targets tell the parameter
 #define WEAKLY_TOLD 0.6
 #define TIED 0.9
+#define MOVED                                                                                  \
+    2.0 // deviations that a target changes by, over the range of a parameter that it tells
+#define WEAKLY_MOVED 1.0
 
 const char *const CLOD_RESULT_IDENTIFIED_NAMES[] = {[CLOD_RESULT_IDENTIFIED] = "yes",
                                                     [CLOD_RESULT_WEAKLY] = "weakly",
-                                                    [CLOD_RESULT_NOT_IDENTIFIED] = "no"};
+                                                    [CLOD_RESULT_NOT_IDENTIFIED] = "no",
+                                                    [CLOD_RESULT_MISSED] = "missed",
+                                                    [CLOD_RESULT_APART] = "apart"};
+
+bool clod_result_missed(const clod_posterior *self)
+{
+    return self->p_value < CONTRADICTION;
+}
 
 clod_result_identified clod_result_identified_of(const clod_posterior *self, size_t k)
 {
-    const double width = self->parameters[k].width;
-    return width < TOLD && self->predictive ? CLOD_RESULT_IDENTIFIED
-           : width < WEAKLY_TOLD            ? CLOD_RESULT_WEAKLY
-                                            : CLOD_RESULT_NOT_IDENTIFIED;
+    const clod_posterior_parameter *of = &self->parameters[k];
+    if (self->apart) {
+        return CLOD_RESULT_APART;
+    }
+    if (clod_result_missed(self)) {
+        return CLOD_RESULT_MISSED;
+    }
+    if (!(of->width < WEAKLY_TOLD && of->moved > MOVED)) {
+        return CLOD_RESULT_NOT_IDENTIFIED;
+    }
+    return of->width < TOLD && self->predictive ? CLOD_RESULT_IDENTIFIED : CLOD_RESULT_WEAKLY;
 }
 
 const char *clod_result_number(const clod_plan_parameter *self, double place, char *buffer,
@@ -68,19 +85,56 @@ static size_t farthest(const clod_result *self)
     return found;
 }
 
+/** Parameter about which the chains disagree most. */
+static size_t most_apart(const clod_posterior *self)
+{
+    size_t found = 0;
+    for (size_t k = 1; k < self->dimensions; k++) {
+        found = self->parameters[k].rhat > self->parameters[found].rhat ? k : found;
+    }
+    return found;
+}
+
+/** Chains that lie apart: all else is of no use. Where their mean p is so small, that of each chain is. */
+static void warn_apart(clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    const size_t k = most_apart(from);
+    clod_warning_list_add(
+        &self->warnings,
+        "The Markov chains lie apart (R-hat %.3g of %s, above %.2g), also when they begin anew at places that they have "
+        "in common: there is no result, and no mean, interval or value of the card is told. %s",
+        from->parameters[k].rhat, self->plan->parameters[k].name, CLOD_POSTERIOR_APART,
+        from->p_value < CONTRADICTION / CLOD_POSTERIOR_CHAINS
+            ? "All of them miss the targets (posterior predictive p below 0.05), which contradict each other or are out of "
+              "reach of the model within these ranges: look at the measurements, widen ranges, free another parameter, or "
+              "state a discrepancy."
+            : "Several separate answers may suit the targets: give another target that tells them apart, narrower ranges, "
+              "or fewer parameters.");
+}
+
+static void warn_missed(clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    const size_t t = farthest(self);
+    clod_warning_list_add(
+        &self->warnings,
+        "The targets contradict each other, or the model cannot reach them within these ranges: "
+        "chi-square %.3g of %zu target%s, posterior predictive p = %.2g. Farthest off is %s, "
+        "measured %+.1f deviations from what the model gives. Intervals below are then too narrow, and tell no "
+        "parameter: "
+        "look at the measurements, widen ranges, free another parameter, or state a discrepancy.",
+        from->chi_square, from->used, clod_plural((double)from->used), from->p_value,
+        self->plan->targets[t].name, from->targets[t].off);
+}
+
 static void warn_targets(clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
-    if (from->p_value < CONTRADICTION) {
-        const size_t t = farthest(self);
-        clod_warning_list_add(
-            &self->warnings,
-            "The targets contradict each other, or the model cannot reach them within these ranges: "
-            "chi-square %.3g of %zu target%s, posterior predictive p = %.2g. Farthest off is %s, "
-            "measured %+.1f deviations from what the model gives. Intervals below are then too narrow: "
-            "look at the measurements, widen ranges, free another parameter, or state a discrepancy.",
-            from->chi_square, from->used, clod_plural((double)from->used), from->p_value,
-            self->plan->targets[t].name, from->targets[t].off);
+    if (from->apart) {
+        warn_apart(self);
+    } else if (clod_result_missed(from)) {
+        warn_missed(self);
     }
     for (size_t t = 0; t < from->target_count; t++) {
         const clod_posterior_target *one = &from->targets[t];
@@ -128,32 +182,67 @@ static void warn_targets(clod_result *self)
     }
 }
 
+/** A parameter at an end of its range, or with a wide interval, or a narrow one for no reason. */
+static void warn_width(clod_result *self, size_t k)
+{
+    const clod_posterior_parameter *one = &self->study->posterior->parameters[k];
+    const char *name = self->plan->parameters[k].name;
+    const bool edge = one->below > EDGE_SHARE || one->above > EDGE_SHARE;
+    const char *end = one->above > one->below ? "upper" : "lower";
+    const double share = 100.0 * fmax(one->above, one->below);
+    const bool still =
+        one->moved <= MOVED; // not so where chains lie apart, and nothing is known of it
+    if (edge && !still) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s wants to go beyond the %s end of its range (%.0f %% of the samples lie in the "
+            "last 5 %% before it).",
+            name, end, share);
+    }
+    if (one->width >= WEAKLY_TOLD) {
+        clod_warning_list_add(
+            &self->warnings,
+            "These targets do not tell %s: its interval is %.0f %% as wide as its range.", name,
+            100.0 * one->width);
+    } else if (still) {
+        clod_warning_list_add(
+            &self->warnings,
+            "These targets do not tell %s: over its range none changes by more than two deviations of its surrogate "
+            "(%.1f). Its interval is where surrogates are least sure, not where %s is.",
+            name, one->moved, name);
+    }
+}
+
+/** Chains that have not come far enough; of those that lie apart there is a word already. */
+static void warn_chains(clod_result *self, size_t k)
+{
+    const clod_posterior_parameter *one = &self->study->posterior->parameters[k];
+    const char *name = self->plan->parameters[k].name;
+    if (!(one->rhat <= LARGEST_RHAT)) {
+        clod_warning_list_add(
+            &self->warnings,
+            "The Markov chains do not agree about %s (R-hat %.3f, %.0f independent samples): "
+            "give more sampling.samples.",
+            name, one->rhat, one->effective);
+    } else if (!(one->effective >= LEAST_EFFECTIVE)) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Only %.0f samples of %s are independent (%d wanted): give more sampling.samples.",
+            one->effective, name, LEAST_EFFECTIVE);
+    }
+}
+
 static void warn_parameters(clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
     for (size_t k = 0; k < from->dimensions; k++) {
         const clod_posterior_parameter *one = &from->parameters[k];
         const char *name = self->plan->parameters[k].name;
-        if (one->below > EDGE_SHARE || one->above > EDGE_SHARE) {
-            clod_warning_list_add(
-                &self->warnings,
-                "%s wants to go beyond the %s end of its range (%.0f %% of the samples lie in the "
-                "last 5 %% before it).",
-                name, one->above > one->below ? "upper" : "lower",
-                100.0 * fmax(one->above, one->below));
+        if (one->rhat <= CLOD_POSTERIOR_APART) {
+            warn_width(self, k);
         }
-        if (clod_result_identified_of(from, k) == CLOD_RESULT_NOT_IDENTIFIED) {
-            clod_warning_list_add(
-                &self->warnings,
-                "These targets do not tell %s: its interval is %.0f %% as wide as its range.",
-                name, 100.0 * one->width);
-        }
-        if (!(one->rhat <= LARGEST_RHAT) || !(one->effective >= LEAST_EFFECTIVE)) {
-            clod_warning_list_add(
-                &self->warnings,
-                "The Markov chains do not agree about %s (R-hat %.3f, %.0f independent samples): "
-                "give more sampling.samples.",
-                name, one->rhat, one->effective);
+        if (!from->apart) {
+            warn_chains(self, k);
         }
         for (size_t m = 0; m < k; m++) {
             const double tie = from->correlation[k * from->dimensions + m];
@@ -200,7 +289,7 @@ char *clod_result_samples(const clod_result *self)
                 one->unit[0] == '\0' ? "1" : one->unit);
     }
     fputc('\n', out);
-    for (size_t i = 0; i < SAMPLES; i++) {
+    for (size_t i = 0; i < SAMPLES && !from->apart; i++) {
         const double *place = clod_posterior_sample(from, i, SAMPLES);
         for (size_t k = 0; k < d; k++) {
             fprintf(out, "%s%.9g", k == 0 ? "" : ",",

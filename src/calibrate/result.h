@@ -21,9 +21,14 @@ typedef enum clod_result_identified {
     CLOD_RESULT_IDENTIFIED,     ///< the targets tell the parameter
     CLOD_RESULT_WEAKLY,         ///< they narrow its range a little
     CLOD_RESULT_NOT_IDENTIFIED, ///< they hardly do
+    CLOD_RESULT_MISSED,         ///< the model does not give the targets, which so tell nothing
+    CLOD_RESULT_APART,          ///< the Markov chains lie apart: there is no result
 } clod_result_identified;
-/** Of parameter k; weakly at best where no used target has a surrogate that predicts. */
+/** Of parameter k; weakly at best where no used target has a surrogate that predicts, and not at all where none changes
+ *  by more than two deviations over the parameter's range. */
 clod_result_identified clod_result_identified_of(const clod_posterior *self, size_t k);
+/** Whether the targets are missed: the posterior predictive p is below 0.05. */
+bool clod_result_missed(const clod_posterior *self);
 extern const char *const CLOD_RESULT_IDENTIFIED_NAMES[];
 
 /** Look for what is to be said: contradictions, ends of ranges, chains, surrogates, failed runs. */

@@ -59,10 +59,11 @@ static void put_value(FILE *out, const clod_result *self, size_t k, size_t depth
             of->unit[0] == '\0' ? "" : " ", of->unit, 100.0 * self->plan->sampling.level,
             clod_result_number(of, one->low, low, sizeof low),
             clod_result_number(of, one->high, high, sizeof high));
-    if (clod_result_identified_of(self->study->posterior, k) != CLOD_RESULT_IDENTIFIED) {
-        fprintf(
-            out, "; identified by the targets: %s",
-            CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(self->study->posterior, k)]);
+    const clod_result_identified told = clod_result_identified_of(self->study->posterior, k);
+    if (told == CLOD_RESULT_MISSED) {
+        fputs("; not identified: the targets are missed", out);
+    } else if (told != CLOD_RESULT_IDENTIFIED) {
+        fprintf(out, "; identified by the targets: %s", CLOD_RESULT_IDENTIFIED_NAMES[told]);
     }
     fputc('\n', out);
 }
@@ -112,13 +113,10 @@ static void put_comment(FILE *out, const char *format, ...)
     fprintf(out, "# %s\n", text);
 }
 
-static void put_head(FILE *out, const clod_result *self)
+/** How the card is used. */
+static void put_use(FILE *out, const clod_result *self)
 {
-    const clod_posterior *from = self->study->posterior;
     const clod_plan *plan = self->plan;
-    put_comment(out, "Material card%s%s, by clod calibrate from %s.",
-                plan->title == NULL ? "" : ": ", plan->title == NULL ? "" : plan->title,
-                plan->path);
     put_comment(
         out,
         "Means, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.",
@@ -129,25 +127,42 @@ static void put_head(FILE *out, const clod_result *self)
     for (size_t t = 0; t < plan->test_count; t++) {
         put_comment(out, "  %s: %s", plan->tests[t].name, plan->tests[t].path);
     }
-    for (size_t k = 0; k < self->warnings.count; k++) {
-        put_comment(out, "WARNING: %s", self->warnings.text[k]);
-    }
+}
+
+static void put_correlations(FILE *out, const clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
     for (size_t k = 0; k < from->dimensions; k++) {
         for (size_t m = 0; m < k; m++) {
-            put_comment(out, "correlation of %s and %s: %+.2f", plan->parameters[m].name,
-                        plan->parameters[k].name, from->correlation[k * from->dimensions + m]);
+            put_comment(out, "correlation of %s and %s: %+.2f", self->plan->parameters[m].name,
+                        self->plan->parameters[k].name,
+                        from->correlation[k * from->dimensions + m]);
         }
     }
 }
 
 char *clod_result_card(const clod_result *self)
 {
+    const bool apart = self->study->posterior->apart;
+    const char *title = self->plan->title;
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
-    put_head(out, self);
-    put_section(out, self, 0, 0, 0);
+    put_comment(out, "Material card%s%s, by clod calibrate from %s.", title == NULL ? "" : ": ",
+                title == NULL ? "" : title, self->plan->path);
+    if (apart) {
+        put_comment(out, "NO RESULT: the Markov chains lie apart, so this card has no values.");
+    } else {
+        put_use(out, self);
+    }
+    for (size_t k = 0; k < self->warnings.count; k++) {
+        put_comment(out, "WARNING: %s", self->warnings.text[k]);
+    }
+    if (!apart) {
+        put_correlations(out, self);
+        put_section(out, self, 0, 0, 0);
+    }
     return clod_text_close(&text);
 }

@@ -64,7 +64,8 @@ static json_t *sections(const clod_result *self, size_t t, double factor)
 {
     json_t *all = json_object();
     double *room = clod_posterior_room(self->study->posterior, 0);
-    for (size_t k = 0; room != NULL && k < self->plan->parameter_count; k++) {
+    const size_t count = self->study->posterior->apart ? 0 : self->plan->parameter_count;
+    for (size_t k = 0; room != NULL && k < count; k++) {
         json_object_set_new(all, self->plan->parameters[k].name,
                             section(self, t, k, factor, room));
     }
@@ -142,14 +143,15 @@ char *clod_result_json(const clod_result *self)
     char now[CLOD_CLOCK_TEXT];
     clod_clock_date(now);
     json_t *all = json_pack(
-        "{s:s, s:s, s:s?, s:s, s:I, s:I, s:I, s:I, s:f, s:o, s:o, s:o, s:o, s:o, s:o}",
+        "{s:s, s:s, s:s?, s:s, s:I, s:I, s:I, s:I, s:f, s:b, s:o, s:o, s:o, s:o, s:o, s:o}",
         "version", clod_version_text(), "written", now, "title", self->plan->title, "plan",
         self->plan->path, "points", (json_int_t)self->study->points, "designed_points",
         (json_int_t)self->study->designed, "packings", (json_int_t)self->plan->seeds,
         "failed_runs", (json_int_t)clod_runs_failed(self->runs), "level",
-        self->plan->sampling.level, "chi_square", clod_json_number(from->chi_square), "p_value",
-        clod_json_number(from->p_value), "accepted", clod_json_number(from->accepted),
-        "parameters", parameters, "targets", targets, "warnings", warnings);
+        self->plan->sampling.level, "chains_apart", from->apart, "chi_square",
+        clod_json_number(from->chi_square), "p_value", clod_json_number(from->p_value),
+        "accepted", clod_json_number(from->accepted), "parameters", parameters, "targets",
+        targets, "warnings", warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

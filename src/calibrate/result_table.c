@@ -29,6 +29,18 @@ static void put_text(FILE *out, const char *text)
     fprintf(out, "%s\n", text);
 }
 
+/** A number in a column of this width, with four figures, or with as many digits behind the point; "-" where there is none. */
+static void put_number(FILE *out, int width, int digits, double value)
+{
+    char text[CELL] = "-";
+    if (isfinite(value) && digits == CLOD_PLAN_FIGURES) {
+        snprintf(text, sizeof text, "%.4g", value);
+    } else if (isfinite(value)) {
+        snprintf(text, sizeof text, "%.*f", digits, value);
+    }
+    fprintf(out, "%*s", width, text);
+}
+
 static void put_parameters(FILE *out, const clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
@@ -38,9 +50,13 @@ static void put_parameters(FILE *out, const clod_result *self)
     for (size_t k = 0; k < from->dimensions; k++) {
         const clod_posterior_parameter *one = &from->parameters[k];
         const clod_plan_parameter *of = &self->plan->parameters[k];
-        fprintf(out, "  %-16s %12.4g %13.4g %12.4g  %-10s %6.2f  %-10s %7.3f %8.0f\n", of->name,
-                clod_plan_number(of, one->mean), clod_plan_number(of, one->low),
-                clod_plan_number(of, one->high), of->unit, one->width,
+        fprintf(out, "  %-16s ", of->name);
+        put_number(out, 12, CLOD_PLAN_FIGURES, clod_plan_number(of, one->mean));
+        put_number(out, 14, CLOD_PLAN_FIGURES, clod_plan_number(of, one->low));
+        put_number(out, 13, CLOD_PLAN_FIGURES, clod_plan_number(of, one->high));
+        fprintf(out, "  %-10s ", of->unit);
+        put_number(out, 6, 2, one->width);
+        fprintf(out, "  %-10s %7.3f %8.0f\n",
                 CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(from, k)], one->rhat,
                 one->effective);
     }
@@ -48,13 +64,21 @@ static void put_parameters(FILE *out, const clod_result *self)
         "  width: of the interval over that of the range as given; 1: the targets tell nothing.\n"
         "  Of a range with scale: log the mean is that of the logarithm.\n",
         out);
+    if (from->apart) {
+        fputs("  apart: the Markov chains lie apart, so there is no mean and no interval.\n",
+              out);
+    } else if (clod_result_missed(from)) {
+        fputs(
+            "  missed: the model does not give the targets, so nothing identifies a parameter.\n",
+            out);
+    }
 }
 
 static void put_correlations(FILE *out, const clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
     const size_t d = from->dimensions;
-    if (d < 2) {
+    if (d < 2 || from->apart) {
         return;
     }
     fprintf(out, "\nCorrelations\n  %-16s", "");
@@ -83,7 +107,7 @@ static void put_target(FILE *out, const clod_result *self, size_t t)
         fprintf(out, " %*s", WIDTHS[k],
                 clod_result_measured(&of->measure, values[k], text, sizeof text));
     }
-    if (one->surrogate == NULL) {
+    if (!isfinite(one->mean)) { // no surrogate, or chains that lie apart
         fprintf(out, "  %-6s -        -\n", of->measure.unit);
         return;
     }
@@ -166,6 +190,8 @@ char *clod_result_table(const clod_result *self)
     }
     const clod_posterior *from = self->study->posterior;
     const char *title = self->plan->title;
+    fputs(from->apart ? "NO RESULT: the Markov chains lie apart, see the warnings.\n\n" : "",
+          out);
     fprintf(
         out,
         "Calibration%s%s: %zu points of %lld packing%s, %zu of them added where the posterior is "

@@ -63,10 +63,10 @@ static bool has_stress_wall(const clod_case *from, double stress)
 
 #define SHEAR                                                                                  \
     {                                                                                          \
-        .numbers = CLOD_NUMBERS_SHEAR, .number_count = CLOD_NUMBERS_SHEAR_COUNT,               \
-        .seeds = seeds_shear, .has_stress = has_stress_shear,                                  \
-        .without_stress = "outside the shear_stresses", .read = clod_number_read_shear,        \
-        .tables = {                                                                            \
+        .name = "ring shear or Jenike test", .numbers = CLOD_NUMBERS_SHEAR,                    \
+        .number_count = CLOD_NUMBERS_SHEAR_COUNT, .seeds = seeds_shear,                        \
+        .has_stress = has_stress_shear, .without_stress = "outside the shear_stresses",        \
+        .read = clod_number_read_shear, .tables = {                                            \
             &CLOD_PLAN_TABLE_SHEAR,                                                            \
             &CLOD_PLAN_TABLE_DENSITY,                                                          \
             &CLOD_PLAN_TABLE_FLOW                                                              \
@@ -74,21 +74,24 @@ static bool has_stress_wall(const clod_case *from, double stress)
     }
 
 static const clod_test_kind ROWS[CLOD_CASE_KINDS] = {
-    [CLOD_CASE_FREE] = {.numbers = CLOD_NUMBERS_PATH,
+    [CLOD_CASE_FREE] = {.name = "free run",
+                        .numbers = CLOD_NUMBERS_PATH,
                         .number_count = CLOD_NUMBERS_PATH_COUNT,
                         .paths = true,
                         .seeds = seeds_one,
                         .read = clod_number_read_summary},
     [CLOD_CASE_RING_SHEAR] = SHEAR,
     [CLOD_CASE_JENIKE] = SHEAR,
-    [CLOD_CASE_UNIAXIAL] = {.numbers = CLOD_NUMBERS_UNIAXIAL,
+    [CLOD_CASE_UNIAXIAL] = {.name = "uniaxial test",
+                            .numbers = CLOD_NUMBERS_UNIAXIAL,
                             .number_count = CLOD_NUMBERS_UNIAXIAL_COUNT,
                             .seeds = seeds_one,
                             .has_stress = has_stress_uniaxial,
                             .without_stress = "not among the consolidation_stresses",
                             .read = clod_number_read_summary,
                             .tables = {&CLOD_PLAN_TABLE_DENSITY, &CLOD_PLAN_TABLE_FLOW}},
-    [CLOD_CASE_WALL_FRICTION] = {.numbers = CLOD_NUMBERS_WALL,
+    [CLOD_CASE_WALL_FRICTION] = {.name = "wall friction test",
+                                 .numbers = CLOD_NUMBERS_WALL,
                                  .number_count = CLOD_NUMBERS_WALL_COUNT,
                                  .seeds = seeds_wall,
                                  .has_stress = has_stress_wall,
@@ -98,7 +101,12 @@ static const clod_test_kind ROWS[CLOD_CASE_KINDS] = {
     [CLOD_CASE_CONTACT_BENCH] = {.seeds = seeds_one}, // no test: it has no grains
 };
 
+const clod_test_kind *clod_test_kinds_row(clod_case_kind kind)
+{
+    return &ROWS[kind];
+}
+
 const clod_test_kind *clod_test_kinds_of(const clod_case *from)
 {
-    return &ROWS[clod_case_kind_of(from)];
+    return clod_test_kinds_row(clod_case_kind_of(from));
 }

@@ -11,6 +11,7 @@
 struct clod_plan_table;
 
 typedef struct clod_test_kind {
+    const char *name;           ///< for people, "wall friction test"; NULL: it is no test
     const clod_number *numbers; ///< [number_count]; NULL: it is no test
     size_t number_count;
     bool paths; ///< a number may be any path of the summary; `numbers` has rows by how it ends
@@ -29,6 +30,9 @@ typedef struct clod_test_kind {
     /** Of measured points, ended by NULL where there are fewer. */
     const struct clod_plan_table *tables[CLOD_PLAN_TABLES];
 } clod_test_kind;
+
+/** Row of a kind of case; borrowed. Threads  pure.   Test  tests/calibrate/test_calibrate.py */
+const clod_test_kind *clod_test_kinds_row(clod_case_kind kind);
 
 /** Row of a case; borrowed. Threads  pure.   Test  tests/calibrate/test_test_kinds.c */
 const clod_test_kind *clod_test_kinds_of(const clod_case *from);

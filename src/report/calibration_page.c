@@ -229,6 +229,11 @@ static void put_tables(FILE *out, const json_t *result)
     put_surrogates(out, result);
 }
 
+static bool is_apart(const json_t *result)
+{
+    return json_is_true(json_object_get(result, "chains_apart"));
+}
+
 /** Each parameter: mean and interval. */
 static void put_cards(FILE *out, const json_t *result)
 {
@@ -236,7 +241,14 @@ static void put_cards(FILE *out, const json_t *result)
     const char *name;
     const json_t *one;
     fputs("<div class=\"cards\">\n", out);
-    json_object_foreach(json_object_get(result, "parameters"), name, one)
+    if (is_apart(result)) {
+        fputs(
+            "<div class=\"card\"><b>no result</b><span>the Markov chains lie apart: there are no means and no "
+            "intervals</span></div>\n",
+            out);
+    }
+    json_object_foreach(is_apart(result) ? NULL : json_object_get(result, "parameters"), name,
+                        one)
     {
         const double mean = clod_shear_number(one, "mean");
         const char *unit = json_string_value(json_object_get(one, "unit"));
@@ -259,7 +271,8 @@ static void put_cards(FILE *out, const json_t *result)
     if (isfinite(p)) {
         fprintf(out,
                 "<div class=\"card\"><b>%.2g</b><span>posterior predictive p of the targets: "
-                "below 0.05 the model does not reach them</span></div>\n",
+                "below 0.05 the model does not reach them, and no parameter is identified"
+                "</span></div>\n",
                 p);
     }
     fputs("</div>\n", out);
@@ -391,7 +404,8 @@ bool clod_calibration_page_put(clod_sheet *sheet, const char *folder, char **tit
     fprintf(sheet->body, ", computed until %s</p></header>\n", time);
     put_warnings(sheet->body, result);
     put_cards(sheet->body, result);
-    good = good && clod_calibration_figures_posterior(sheet, folder, result, status);
+    good = good && (is_apart(result) ||
+                    clod_calibration_figures_posterior(sheet, folder, result, status));
     put_tables(sheet->body, result);
     good = good && clod_calibration_figures_targets(sheet, folder, result, status);
     put_sources(sheet->body, folder, result);

@@ -4,6 +4,7 @@ import datetime
 import json
 import math
 import os
+import re
 import signal
 import sys
 
@@ -108,6 +109,27 @@ class Calibrate(bounce.Bounce):
         with open(self.path("again/case-complete.yaml")) as file:
             self.assertIn(f"restitution: {mean:.4g}", file.read())
 
+    def test_target_out_of_reach_identifies_nothing(self):
+        """No restitution gives 6e-4 J, and no stiffness changes the energy: its samples lie where the surrogate is least sure."""
+        text = PLAN.replace("to: 0.9}\n", "to: 0.9}\n  k: {key: contacts.default.k1, from: 5e4 N/m, to: 2e5 N/m, scale: log}\n")
+        text = re.sub("value: [^,]*, error: 4e-6", "value: 6e-4, error: 4e-6", text)
+        told = self.calibrate(text, "-o", "out").stdout
+        found = self.found()
+        self.assertLess(found["p_value"], 1e-6)
+        self.assertFalse(found["chains_apart"])
+        for name in "ek":
+            self.assertEqual(found["parameters"][name]["identified"], "missed")
+        self.assertIn("and tell no parameter", " ".join(told.split()))
+        self.assertIn("These targets do not tell k: over its range none changes", " ".join(told.split()))
+        self.assertNotIn("k wants to go beyond", told)
+        self.assertIn("e wants to go beyond the upper end", told)
+        with open(self.path("out/card.yaml")) as file:
+            self.assertEqual(file.read().count("; not identified: the targets are missed\n"), 2)
+        self.assertEqual(clod.run("report", "out", cwd=self.folder).returncode, 0)
+        page = pages.load(self.path("out/report.html"))
+        self.assertIn("missed", page.row("k [N/m]"))
+        self.assertNotIn("identified: yes", page.text)
+
     @clod.quick_only
     def test_interrupted_it_goes_on_to_the_same_results(self):
         self.calibrate(PLAN, "-o", "whole", "-j", "2")
@@ -177,9 +199,10 @@ class Calibrate(bounce.Bounce):
     def test_check_estimates_points_and_warns_of_a_small_budget(self):
         told = self.calibrate(PLAN, "--check", "-j", "2").stderr
         self.assertRegex(told, "a point takes [0-9.e-]+ s with 2 runs side by side, and 9 points")
-        told = self.calibrate(PLAN.replace("points: 9", "budget: 1 us"), "--check", "-j", "1").stderr
-        self.assertIn("WARNING: the budget of 1e-06 s looks too small", told)
-        self.assertIn("so 0 fit, and 1 parameter needs at least 5", told)
+        refused = self.calibrate(PLAN.replace("points: 9", "budget: 1 us"), "--check", "-j", "1", code=2)
+        self.assertIn("plan.yaml: the budget of 1e-06 s looks too small", refused.stderr)
+        self.assertIn("so 0 fit, and 1 parameter needs at least 5", refused.stderr)
+        self.assertEqual(refused.stdout, "")
         told = self.calibrate(PLAN.replace("points: 9", "budget: 1 d"), "--check").stderr
         self.assertIn("about 1000 points fit the budget of 24 h 00 min", told)
         told = self.calibrate(PLAN.replace("points: 9", "budget: 48 h"), "--check").stderr
@@ -248,6 +271,8 @@ class Calibrate(bounce.Bounce):
             self.refuse(ring, key, (target, new), words=words, files=files)
 
         shear("number: phie, value: 40 deg, error: 1 deg", "has no number phie; did you mean phi_e?")
+        shear("number: phi_x, value: 20 deg, error: 1 deg", "has no number phi_x, which is one of a wall friction test; it has phi_lin,")
+        shear("number: repose.heap.angle_deg, value: 34 deg, error: 1 deg", "has no number repose.heap.angle_deg, which is one of a free run; it has")
         shear("number: xyzxyz, value: 40 deg, error: 1 deg", "it has phi_lin, phi_e, phi_sf, c, tau_p")
         shear("number: phi_e, value: 95 deg, error: 1 deg",
               "95 deg is impossible; allowed is 0.1 to 85 deg")

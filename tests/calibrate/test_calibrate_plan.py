@@ -197,7 +197,7 @@ sampling: {samples: 1000}
             told = self.calibrate(self.WALL.replace(old, new), "--check", code=2).stderr
             self.assertIn(word, told)
 
-        wall("number: phi_x", "number: phi_e", "test wall has no number phi_e; did you mean phi_")
+        wall("number: phi_x", "number: phi_e", "test wall has no number phi_e, which is one of a ring shear or Jenike test; it has phi_x,")
         wall("number: phi_x", "number: rolling", "it has phi_x, phi_w, tau_ad, rho_b")
         wall(", normal_stress: 10 kPa", "", "phi_x needs the key normal_stress")
         wall("normal_stress: 10 kPa", "normal_stress: 7 kPa",

@@ -134,6 +134,46 @@ static void no_chain_stays_at_a_lesser_summit(void **state)
     }
 }
 
+/** A wide hill about (0.3, 0.3), and a needle about (0.85, 0.85) with all of the mass but 1e-14. A place of the needle is
+ *  likelier than 1000 of the hill's top within 0.0035 sqrt(2 (40 - log 1000)) = 0.0285: of 500 random places none is there in
+ *  exp(-500 pi 0.0285^2) = 0.28 of all tries, of 2000 in 0.006. */
+static double hill_and_needle(void *context, const double *u, const size_t *choices)
+{
+    (void)context;
+    (void)choices;
+    const double a = hypot(u[0] - 0.85, u[1] - 0.85) / 0.0035;
+    const double b = hypot(u[0] - 0.3, u[1] - 0.3) / 0.1;
+    return fmax(40.0 - 0.5 * a * a, -0.5 * b * b);
+}
+
+/** Seeds of ten whose chains lie apart. */
+static int seeds_apart(bool pooled)
+{
+    clod_chain_setup setup = {.dimensions = 2,
+                              .chains = CHAINS,
+                              .warm_up = 2000,
+                              .kept = 1000,
+                              .pooled = pooled,
+                              .density = hill_and_needle};
+    int apart = 0;
+    for (setup.seed = 1; setup.seed <= 10; setup.seed++) {
+        double accepted;
+        clod_chain_run(&setup, samples[0], NULL, &accepted);
+        const clod_chain_series series = {samples[0], CHAINS, 1000, 2};
+        apart += clod_chain_rhat(&series) > 1.5 ? 1 : 0;
+    }
+    return apart;
+}
+
+/** By their own places all four chains begin in the needle in 0.72^4 = 0.27 of the seeds, and none in 0.006; by those of all
+ *  chains all do in 0.994. */
+static void chains_from_pooled_places_agree(void **state)
+{
+    (void)state;
+    assert_true(seeds_apart(false) >= 5);
+    assert_true(seeds_apart(true) == 0);
+}
+
 /** x = a x + sqrt(1 - a^2) e has n (1 - a)/(1 + a) independent values in n. */
 static void effective_number_of_a_known_series(void **state)
 {
@@ -242,12 +282,44 @@ static void a_chain_begins_where_it_is_told(void **state)
     check_close(samples[0][1], 0.1, 0.1);
 }
 
+/** Only with these whole numbers there is a density at all. */
+static double with_two_and_three(void *context, const double *u, const size_t *choices)
+{
+    (void)context;
+    const double x = (u[0] - 0.4) / 0.05;
+    return choices[0] == 2 && choices[1] == 3 && choices[2] == 1 ? -0.5 * x * x : -HUGE_VAL;
+}
+
+/** A pooled start has the whole numbers of its place: a chain with others would have no density and never find it. */
+static void a_pooled_start_has_its_choices(void **state)
+{
+    (void)state;
+    const clod_chain_setup setup = {.dimensions = 2,
+                                    .chains = CHAINS,
+                                    .warm_up = 500,
+                                    .kept = 1000,
+                                    .choices = CHOICES,
+                                    .options = OPTIONS,
+                                    .seed = 6,
+                                    .pooled = true,
+                                    .density = with_two_and_three};
+    double accepted;
+    clod_chain_run(&setup, samples[0], chosen[0], &accepted);
+    assert_true(accepted > 0.2);
+    for (int i = 0; i < CHAINS * 1000; i++) {
+        assert_true(chosen[i][0] == 2 && chosen[i][1] == 3 && chosen[i][2] == 1);
+        assert_true(fabs(samples[i][0] - 0.4) < 0.3);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_gaussian_has_its_moments),
         cmocka_unit_test(edges_are_kept),
         cmocka_unit_test(no_chain_stays_at_a_lesser_summit),
+        cmocka_unit_test(chains_from_pooled_places_agree),
+        cmocka_unit_test(a_pooled_start_has_its_choices),
         cmocka_unit_test(effective_number_of_a_known_series),
         cmocka_unit_test(chains_that_disagree_are_seen),
         cmocka_unit_test(chains_that_never_moved_do_not_agree),

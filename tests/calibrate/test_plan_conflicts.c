@@ -123,6 +123,65 @@ static void results_beside_the_stress_of_preshear(void **state)
         "phi_sf 38.8 deg");
 }
 
+// atan(310/54.8) is 79.97 deg and atan(330/54.8) 80.57; atan(0.97/54.8) is 1.01 deg and atan(0.9/54.8) 0.94.
+static void a_tau_p_has_the_limits_of_its_angle(void **state)
+{
+    clod_plan plan;
+    lab_load_good(state, RING, "number: tau_p, value: 310 kPa, error: 3 kPa", &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(
+        state, RING, "number: tau_p, value: 330 kPa, error: 3 kPa",
+        "test lab: tau_p 330 kPa in targets.0 is a phi_sf of 80.6 deg at the preshear stress of the case, "
+        "54.8 kPa; it must be 1 to 80 deg");
+    lab_load_good(state, RING, "number: tau_p, value: 0.97 kPa, error: 0.01 kPa", &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(state, RING, "number: tau_p, value: 0.9 kPa, error: 0.01 kPa",
+               "tau_p 0.9 kPa in targets.0 is a phi_sf of 0.9 deg");
+}
+
+// 37.4 +- 3 kPa is 34.31 +- 2.14 deg, above phi_e by 2 sqrt(2.14^2 + 3^2) = 7.37 deg at most: from 26.94 deg on.
+static void a_tau_p_beside_phi_e(void **state)
+{
+    load_both(state, "tau_p, value: 37.4 kPa, error: 3 kPa",
+              "phi_e, value: 27 deg, error: 3 deg");
+    lab_refuse(
+        state, RING,
+        TWO("tau_p, value: 37.4 kPa, error: 3 kPa", "phi_e, value: 26.8 deg, error: 3 deg"),
+        "test lab: phi_e 26.8 deg in targets.1 is below phi_sf 34.3 deg, which tau_p 37.4 kPa in targets.0 is at the "
+        "preshear stress of the case, 54.8 kPa");
+}
+
+// The circle from the origin through (54.8, 37.4) kPa has the radius (54.8^2 + 37.4^2)/(2 54.8) = 40.16 kPa, which
+// changes by 37.4/54.8 3 = 2.05 kPa with tau_p: c is at most 40.16 + 2 sqrt(1^2 + 2.05^2) = 44.72 kPa. The same with phi_sf
+// 34.31 +- 2.14 deg.
+static void a_cohesion_beside_steady_flow(void **state)
+{
+    load_both(state, "c, value: 44.6 kPa, error: 1 kPa",
+              "tau_p, value: 37.4 kPa, error: 3 kPa");
+    lab_refuse(
+        state, RING,
+        TWO("c, value: 44.8 kPa, error: 1 kPa", "tau_p, value: 37.4 kPa, error: 3 kPa"),
+        "test lab: c 44.8 kPa in targets.0 is too large for tau_p 37.4 kPa in targets.1: with the preshear stress of "
+        "the case, 54.8 kPa, steady flow that does not reach into tension has a c of at most 40.16 kPa");
+    load_both(state, "c, value: 44.6 kPa, error: 1 kPa",
+              "phi_sf, value: 34.31 deg, error: 2.14 deg");
+    lab_refuse(
+        state, RING,
+        TWO("c, value: 44.8 kPa, error: 1 kPa", "phi_sf, value: 34.31 deg, error: 2.14 deg"),
+        "is too large for phi_sf 34.31 deg in targets.1");
+}
+
+// 2 (c +- 1) kPa is above sigma_1 by 2 sqrt((2 1)^2 + 1.5^2) = 5 kPa at most.
+static void a_cohesion_beside_the_major_stress(void **state)
+{
+    load_both(state, "c, value: 32.4 kPa, error: 1 kPa",
+              "sigma_1, value: 60 kPa, error: 1.5 kPa");
+    lab_refuse(
+        state, RING,
+        TWO("c, value: 32.6 kPa, error: 1 kPa", "sigma_1, value: 60 kPa, error: 1.5 kPa"),
+        "test lab: sigma_1 60.00 kPa in targets.1 is below twice the c 32.60 kPa in targets.0");
+}
+
 #define THREE(one, two, three) TWO(one, two) "}, {test: lab, number: " three
 
 static void load_three(void **state, const char *one, const char *two, const char *three)
@@ -291,6 +350,10 @@ int main(void)
         TEST(strength_of_a_cohesion),
         TEST(principal_stresses_in_order),
         TEST(results_beside_the_stress_of_preshear),
+        TEST(a_tau_p_has_the_limits_of_its_angle),
+        TEST(a_tau_p_beside_phi_e),
+        TEST(a_cohesion_beside_steady_flow),
+        TEST(a_cohesion_beside_the_major_stress),
         TEST(strength_above_the_difference_of_principal_stresses),
         TEST(strength_above_that_of_an_effective_angle),
         TEST(ffc_below_that_of_an_effective_angle),

@@ -1,19 +1,41 @@
 /**
- * When a parameter counts as identified: borders of the width, and a surrogate that predicts; and when a calibration
- * warns of few independent draws.
+ * When a parameter counts as identified: borders of the width, a surrogate that predicts and one that moves, targets that
+ * are met; what is said of Markov chains that lie apart; and when a calibration warns of few independent draws.
  */
 
 #include <string.h>
 
+#include "base/memory.h"
 #include "calibrate/result.h"
 #include "plan_made.h"
 #include "support/check.h"
 
+static const char *name_of(double width, bool predictive, double moved, double p)
+{
+    clod_posterior_parameter one = {.width = width, .moved = moved};
+    const clod_posterior of = {
+        .parameters = &one, .dimensions = 1, .predictive = predictive, .p_value = p};
+    return CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(&of, 0)];
+}
+
 static const char *name(double width, bool predictive)
 {
-    clod_posterior_parameter one = {.width = width};
-    const clod_posterior of = {.parameters = &one, .dimensions = 1, .predictive = predictive};
-    return CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(&of, 0)];
+    return name_of(width, predictive, 10.0, 0.5);
+}
+
+static void what_moves_no_target_is_not_identified(void **state)
+{
+    (void)state;
+    assert_string_equal(name_of(0.06, true, 2.1, 0.5), "yes");
+    assert_string_equal(name_of(0.06, true, 1.9, 0.5), "no");
+    assert_string_equal(name_of(0.30, true, 1.9, 0.5), "no");
+}
+
+static void targets_that_are_missed_identify_nothing(void **state)
+{
+    (void)state;
+    assert_string_equal(name_of(0.06, true, 10.0, 0.051), "yes");
+    assert_string_equal(name_of(0.06, true, 10.0, 0.049), "missed");
 }
 
 static void widths_have_their_names(void **state)
@@ -60,6 +82,135 @@ static void one_used_target_must_follow_the_parameters(void **state)
     assert_true(predicts(1.0, 0.01, false));
     assert_false(predicts(1.0, 0.01, true)); // what is held back tells nothing
     assert_false(predicts(0.1, 0.3, false)); // Q2 of noise is below 0
+}
+
+/** What a calibration whose chains have this R-hat and so many independent samples is warned of. */
+static bool warns_of_chains(double rhat, double effective, const char *words)
+{
+    plan_made made;
+    plan_make(&made, 1, 1);
+    clod_posterior_parameter parameter = {.rhat = rhat, .effective = effective, .moved = 10.0};
+    double correlation = 1.0;
+    clod_posterior_target target = {.held_back = true};
+    const clod_posterior posterior = {.dimensions = 1,
+                                      .target_count = 1,
+                                      .targets = &target,
+                                      .parameters = &parameter,
+                                      .correlation = &correlation,
+                                      .p_value = 0.5,
+                                      .used = 1};
+    const clod_study study = {.posterior = (clod_posterior *)&posterior};
+    const clod_runs runs = {.plan = &made.plan};
+    clod_result self = {.plan = &made.plan, .study = &study, .runs = &runs};
+    clod_result_warn(&self);
+    for (size_t k = 0; k < self.warnings.count; k++) {
+        if (strstr(self.warnings.text[k], words) != NULL) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void few_samples_are_told_from_chains_that_disagree(void **state)
+{
+    (void)state;
+    const char *apart = "do not agree about p0 (R-hat";
+    const char *few = "Only 366 samples of p0 are independent (400 wanted): give more";
+    assert_true(warns_of_chains(1.014, 366.0, few));
+    assert_false(warns_of_chains(1.014, 366.0, apart));
+    assert_true(warns_of_chains(1.06, 366.0, apart));
+    assert_false(warns_of_chains(1.06, 366.0, few));
+    assert_false(warns_of_chains(1.014, 401.0, "independent"));
+}
+
+/** Posterior of 9 points on u (1 - u) with a measured value and an error: 0.16 is there at u = 0.2 and at 0.8, and 0.6 apart
+ *  the chains do not find from one to the other; 0.35, which nothing gives, is nearest in the middle. */
+static clod_posterior *of_a_parabola(plan_made *made, double value, bool *apart)
+{
+    plan_make(made, 1, 1);
+    made->plan.seeds = 1;
+    made->targets[0].value = value;
+    made->targets[0].error = 0.002;
+    double places[9], results[9];
+    for (int i = 0; i < 9; i++) {
+        places[i] = i / 8.0;
+        results[i] = places[i] * (1.0 - places[i]);
+    }
+    const clod_posterior_runs runs = {&made->plan, 9, places, results, NULL};
+    clod_status status = {CLOD_OK, ""};
+    clod_posterior *self = clod_posterior_create(&runs, &status);
+    assert_non_null(self);
+    *apart = self->apart;
+    return self;
+}
+
+/** All files of a calibration of that parabola; owned. */
+static void tell(plan_made *made, clod_posterior *posterior, char *texts[4])
+{
+    clod_plan_test test = {.name = made->names[0], .path = made->names[0]};
+    made->plan.tests = &test;
+    made->plan.test_count = 1;
+    const clod_study study = {.posterior = posterior, .points = 9, .designed = 9};
+    const clod_runs runs = {.plan = &made->plan};
+    clod_result self = {.plan = &made->plan, .study = &study, .runs = &runs};
+    clod_result_warn(&self);
+    texts[0] = clod_result_table(&self);
+    texts[1] = clod_result_card(&self);
+    texts[2] = clod_result_json(&self);
+    texts[3] = clod_result_samples(&self);
+    for (int k = 0; k < 4; k++) {
+        assert_non_null(texts[k]);
+    }
+}
+
+static void chains_that_lie_apart_have_no_result(void **state)
+{
+    (void)state;
+    plan_made made;
+    bool apart;
+    char *texts[4];
+    clod_posterior *self = of_a_parabola(&made, 0.16, &apart);
+    assert_true(apart);
+    assert_true(self->parameters[0].rhat > 1.5);
+    assert_true(isnan(self->parameters[0].mean) && isnan(self->parameters[0].low));
+    assert_true(isnan(self->targets[0].mean) && isnan(self->targets[0].high));
+    assert_string_equal(CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(self, 0)],
+                        "apart");
+    tell(&made, self, texts);
+    assert_true(strncmp(texts[0], "NO RESULT: the Markov chains lie apart", 38) == 0);
+    assert_non_null(strstr(texts[0], "Several separate answers"));
+    assert_null(strstr(texts[0], "do not tell"));
+    assert_null(strstr(texts[0], "sampling.samples"));
+    assert_null(strstr(texts[0], "nan"));
+    assert_non_null(strstr(texts[1], "# NO RESULT"));
+    assert_null(strstr(texts[1], "p0:")); // every line is a comment
+    assert_non_null(strstr(texts[2], "\"chains_apart\": true"));
+    assert_non_null(strstr(texts[2], "\"mean\": null"));
+    assert_string_equal(texts[3], "p0 [1]\n");
+    for (int k = 0; k < 4; k++) {
+        clod_memory_free(texts[k]);
+    }
+    clod_posterior_destroy(&self);
+}
+
+static void chains_that_agree_have_one(void **state)
+{
+    (void)state;
+    plan_made made;
+    bool apart;
+    char *texts[4];
+    clod_posterior *self = of_a_parabola(&made, 0.35, &apart);
+    assert_false(apart);
+    check_close(self->parameters[0].mean, 0.5, 0.02);
+    tell(&made, self, texts);
+    assert_non_null(strstr(texts[0], " missed "));
+    assert_non_null(strstr(texts[1], "p0: 0.5"));
+    assert_non_null(strstr(texts[1], "; not identified: the targets are missed"));
+    assert_non_null(strstr(texts[2], "\"identified\": \"missed\""));
+    for (int k = 0; k < 4; k++) {
+        clod_memory_free(texts[k]);
+    }
+    clod_posterior_destroy(&self);
 }
 
 /** Whether a calibration warns of the draws of a target, of which so many are independent. */
@@ -111,6 +262,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(widths_have_their_names),
+        cmocka_unit_test(what_moves_no_target_is_not_identified),
+        cmocka_unit_test(targets_that_are_missed_identify_nothing),
+        cmocka_unit_test(few_samples_are_told_from_chains_that_disagree),
+        cmocka_unit_test(chains_that_lie_apart_have_no_result),
+        cmocka_unit_test(chains_that_agree_have_one),
         cmocka_unit_test(one_used_target_must_follow_the_parameters),
         cmocka_unit_test(few_independent_draws_are_warned_of),
     };

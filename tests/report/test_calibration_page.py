@@ -109,6 +109,25 @@ class Calibration(BrowserCase):
             for label in labels:
                 self.assertRegex(label.replace("\u2212", "-"), r"^-?[0-9.]+(e[-+]?\d+)?$")
 
+    def test_chains_that_lie_apart(self):
+        """No card and no figure of a parameter; the rest of the page, without numbers that there are not."""
+        nothing = {"mean": None, "low": None, "high": None, "relative_width": None, "identified": "apart"}
+        parameters = {name: {**about, **nothing} for name, about in self.found["parameters"].items()}
+        targets = [{**target, "model": None, "low": None, "high": None, "off": None} for target in self.found["targets"]]
+        with open(self.path("fit/calibration.json"), "w") as file:
+            json.dump({**self.found, "chains_apart": True, "parameters": parameters, "targets": targets}, file)
+        with open(self.path("fit/posterior.csv"), "w") as file:
+            file.write("a [N/m^1.5],b [J]\n")
+        done = clod.run("report", "fit", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = pages.load(self.path("fit/report.html"))
+        self.assertEqual([card[1] for card in pages.cards(page.text)], ["no result", "0.4"])
+        self.assertEqual(page.row("a [N/m^1.5]")[1:], ["", "", "0\u00a0to\u00a01", "linear", "", "apart", "1.001", "812"])
+        self.assertNotRegex(page.text.split("clod-data")[0], r"\bnan\b")
+        self.assertNotIn("Posterior-of-a", page.figures)
+        self.assertNotIn("predicted", page.figures)
+        self.assertIn("target", page.figures)
+
     def test_without_samples(self):
         """A folder without posterior.csv has the rest of its page."""
         os.remove(self.path("fit/posterior.csv"))
