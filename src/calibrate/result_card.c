@@ -173,7 +173,7 @@ static void put_head(FILE *out, const clod_result *self)
         "Means, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.",
         100.0 * plan->sampling.level);
     put_comment(out, "Use it: include: card.yaml in a case, which then must not give these "
-                     "keys itself.");
+                     "keys itself; or --set include=card.yaml, which replaces them.");
     put_comment(out, "All that is not here is as in the cases of the tests:");
     for (size_t t = 0; t < plan->test_count; t++) {
         put_comment(out, "  %s: %s%s", plan->tests[t].name, plan->tests[t].path,

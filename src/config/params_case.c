@@ -174,7 +174,8 @@ static const clod_param ROWS[] = {
      CLOD_AT(C, include),
      .help =
          "File with further keys of the case, for instance a material card of clod calibrate. A key is in "
-         "one of the two files only. The complete case has the keys in place of this one.",
+         "one of the two files only; of a file that --set include=FILE names the value replaces the case's. The "
+         "complete case has the keys in place of this one.",
      .source = "docs/howto/calibrate.md"},
     {.key = "seed",
      .kind = CLOD_PARAM_INTEGER,

@@ -57,6 +57,22 @@ class Settings(bounce.Bounce):
         told = self.calibrate(PLAN.replace("-2 m/s", "-3 m/s"), "-o", "out", code=2).stderr
         self.assertIn("design.txt", told)
 
+    def test_calibrated_case_runs_with_the_card(self):
+        """The case has the card's key: included it is refused, by --set the card's value replaces it."""
+        self.calibrate(bounce.PLAN, "-o", "out")
+        with open(self.path("out/card.yaml")) as file:
+            calibrated = float(re.search(r"(?m)^    restitution: ([0-9.]+)", file.read())[1])
+        self.assertNotEqual(calibrated, 0.5)  # of bounce.yaml
+        done = clod.run("run", "bounce.yaml", "--set", "include=out/card.yaml", "-o", "one", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("one/case-complete.yaml")) as file:
+            self.assertEqual(float(re.search(r"restitution: ([0-9.]+)", file.read())[1]), calibrated)
+        with open(bounce.CASE) as file:
+            self.write("with.yaml", "include: out/card.yaml\n" + file.read())
+        done = clod.run("check", "with.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("keep one of them, or name that file by --set include=FILE", done.stderr)
+
     def test_ratio_in_the_card(self):
         """k2/k1 is free: the card has the product of both means."""
         with open(bounce.CASE) as file:
