@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "calibrate/result.h"
+#include "config/solid.h"
 
 #define COMMENT 6000 ///< bytes of a line: more than a path
 
@@ -174,7 +175,9 @@ static void put_head(FILE *out, const clod_result *self)
         100.0 * plan->sampling.level);
     put_comment(out, "Use it: include: card.yaml in a case, which then must not give these "
                      "keys itself; or --set include=card.yaml, which replaces them.");
-    put_comment(out, "All that is not here is as in the cases of the tests:");
+    put_comment(
+        out,
+        "Sizes of grains, walls and all else that is not here are as in the cases of the tests:");
     for (size_t t = 0; t < plan->test_count; t++) {
         put_comment(out, "  %s: %s%s", plan->tests[t].name, plan->tests[t].path,
                     plan->tests[t].set_count > 0 ? ", with the set of plan.yaml" : "");
@@ -190,6 +193,47 @@ static void put_head(FILE *out, const clod_result *self)
     }
 }
 
+/** Whether the card gives a key of the solid: of its material, of its contact, or of all contacts. */
+static bool gives(const card *self, const char *material, const char *key)
+{
+    for (size_t k = 0; k < self->count; k++) {
+        const char *given = self->entries[k].key;
+        char paths[4][CLOD_LOAD_PATH];
+        snprintf(paths[0], sizeof paths[0], "contacts.default.%s", key);
+        snprintf(paths[1], sizeof paths[1], "contacts.%s-%s.%s", material, material, key);
+        snprintf(paths[2], sizeof paths[2], "contacts.%s", key);
+        snprintf(paths[3], sizeof paths[3], "materials.%s.%s", material, key);
+        for (size_t m = 0; m < 4; m++) {
+            if (strcmp(given, paths[m]) == 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/** What else the grains of the first test are made of; false without memory. */
+static bool put_solid(FILE *out, const card *self)
+{
+    const clod_plan_test *test = &self->result->plan->tests[0];
+    clod_solid solid;
+    const bool good = clod_solid_init(&solid, test->middle);
+    if (good && solid.material != NULL) {
+        fprintf(
+            out,
+            "calibrated_with: # not calibrated: %s in the test %s; clod check warns where a case that "
+            "includes this has others\n",
+            solid.material, test->name);
+    }
+    for (size_t k = 0; k < solid.count && good; k++) {
+        if (!gives(self, solid.material, solid.keys[k].key)) {
+            fprintf(out, "  %s: %s\n", solid.keys[k].key, solid.keys[k].value);
+        }
+    }
+    clod_solid_fini(&solid);
+    return good;
+}
+
 char *clod_result_card(const clod_result *self)
 {
     card all = {.result = self};
@@ -198,6 +242,7 @@ char *clod_result_card(const clod_result *self)
     if (out != NULL) {
         put_head(out, self);
         put_section(out, &all, 0, 0, 0);
+        text.lost = !put_solid(out, &all) || text.lost;
     }
     clod_memory_free(all.entries);
     return out != NULL ? clod_text_close(&text) : NULL;
