@@ -59,18 +59,22 @@ static void free_arguments(char **arguments, size_t count)
 static char **make_arguments(const crew *self, size_t row, const char *folder, size_t *count)
 {
     const clod_plan *plan = self->runs->plan;
-    const size_t d = plan->parameter_count;
     const size_t point = clod_runs_point_of(plan, row);
-    char **to = clod_memory_alloc(FIXED + 2 * d + 1, sizeof *to);
-    *count = FIXED + 2 * d;
+    const clod_plan_test *test = &plan->tests[clod_runs_test_of(plan, row)];
+    clod_plan_settings settings;
+    bool lost = !clod_plan_settings_at(plan, test, self->places + point * plan->parameter_count,
+                                       &settings);
+    char **to = clod_memory_alloc(FIXED + 2 * settings.count + 1, sizeof *to);
+    *count = FIXED + 2 * settings.count;
     if (to == NULL) {
+        clod_plan_settings_fini(&settings);
         return NULL;
     }
     char seed[40];
     snprintf(seed, sizeof seed, "seed=%lld", (long long)clod_runs_seed(plan, row));
     const char *const fixed[FIXED] = {self->runs->options.program,
                                       "run",
-                                      plan->tests[clod_runs_test_of(plan, row)].path,
+                                      test->path,
                                       "-o",
                                       folder,
                                       "-t",
@@ -78,16 +82,14 @@ static char **make_arguments(const crew *self, size_t row, const char *folder, s
                                       "--no-report",
                                       "--set",
                                       seed};
-    bool lost = false;
     for (size_t k = 0; k < FIXED; k++) {
         to[k] = own(fixed[k], &lost);
     }
-    for (size_t k = 0; k < d; k++) {
+    for (size_t k = 0; k < settings.count; k++) {
         to[FIXED + 2 * k] = own("--set", &lost);
-        to[FIXED + 2 * k + 1] =
-            clod_plan_setting(&plan->parameters[k], self->places[point * d + k]);
-        lost = lost || to[FIXED + 2 * k + 1] == NULL;
+        to[FIXED + 2 * k + 1] = own(settings.items[k], &lost);
     }
+    clod_plan_settings_fini(&settings);
     if (lost) {
         free_arguments(to, *count);
         return NULL;

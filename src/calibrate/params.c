@@ -20,6 +20,16 @@ static const clod_param TEST[] = {
      CLOD_AT(clod_plan_test, path),
      .help = "Case file that is run for each point of the design.",
      .source = HOWTO},
+    {.key = "set",
+     .kind = CLOD_PARAM_SETTINGS,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "{ring_shear.preshear_stress: 0.6 kPa}",
+     CLOD_AT(clod_plan_test, set),
+     CLOD_COUNT(clod_plan_test, set_count),
+     .help =
+         "Keys of the case that have another value in this test, as --set of clod run takes them: one "
+         "case serves several preshear stresses.",
+     .source = HOWTO},
 };
 static const clod_table TEST_TABLE = {
     .title = "A test.", CLOD_ROWS(TEST), .size = sizeof(clod_plan_test)};
@@ -30,6 +40,18 @@ static const char *const SCALES[] = {"linear", "log", NULL};
 static const clod_param PARAMETER[] = {
     TEXT_ROW(P, "key", key, CLOD_PARAM_REQUIRED, "contacts.default.k_adh",
              "Key of the cases, as --set takes it; all tests get the same value."),
+    {.key = "multiples",
+     .kind = CLOD_PARAM_SETTINGS,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "{contacts.ore-plate.friction: 1}",
+     CLOD_AT(P, multiples),
+     CLOD_COUNT(P, multiple_count),
+     .help =
+         "Other keys that move with it, and by what they are times its value: 1 is the same value.",
+     .source = HOWTO},
+    TEXT_ROW(
+        P, "times", times, CLOD_PARAM_OPTIONAL, "k1",
+        "Name of another parameter whose value is multiplied by this one, a pure number: a free ratio."),
     TEXT_ROW(P, "from", from, CLOD_PARAM_REQUIRED, "5e7 N/m^1.5", "Lower end of the range."),
     TEXT_ROW(P, "to", to, CLOD_PARAM_REQUIRED, "1e9 N/m^1.5",
              "Upper end of the range, in the same unit."),

@@ -36,17 +36,6 @@ double clod_plan_number(const clod_plan_parameter *self, double place)
     return self->low + place * (self->high - self->low);
 }
 
-char *clod_plan_setting(const clod_plan_parameter *self, double place)
-{
-    const size_t size = strlen(self->key) + strlen(self->unit) + 40;
-    char *text = clod_memory_alloc(size, 1);
-    if (text != NULL) {
-        snprintf(text, size, "%s=%.9g%s%s", self->key, clod_plan_number(self, place),
-                 self->unit[0] == '\0' ? "" : " ", self->unit);
-    }
-    return text;
-}
-
 /** Tree -> struct -> checks. */
 static void build(clod_loader *loader, clod_plan *self)
 {

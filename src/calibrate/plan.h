@@ -12,6 +12,7 @@
 #include "base/warning_list.h"
 #include "clod/case.h"
 #include "clod/status.h"
+#include "config/settings.h"
 #include "hopper/curve.h"
 #include "sim/free_paths.h"
 
@@ -26,17 +27,23 @@
 typedef struct clod_plan_test {
     char *name;        ///< owned
     char *path;        ///< of the case file, owned
+    clod_setting *set; ///< [set_count] owned: keys that this test has otherwise than its case
+    size_t set_count;
     clod_case *middle; ///< owned; the case with all parameters in the middle of their ranges
     clod_free_paths paths; ///< owned; numbers of its summary, of a free run
 } clod_plan_test;
 
 typedef struct clod_plan_parameter {
-    char *name;                ///< owned
-    char *key;                 ///< as in --set
-    char *from, *to;           ///< as written
-    int scale;                 ///< clod_plan_scale
-    double low, high;          ///< numbers of from and to
-    char unit[CLOD_PLAN_UNIT]; ///< as written behind both; "": none
+    char *name;              ///< owned
+    char *key;               ///< as in --set
+    clod_setting *multiples; ///< [multiple_count] owned: other keys, with a factor each
+    size_t multiple_count;
+    char *times; ///< name of the parameter whose value this one multiplies; NULL: none
+    const struct clod_plan_parameter *base; ///< that parameter, in the plan; NULL: none
+    char *from, *to;                        ///< as written
+    int scale;                              ///< clod_plan_scale
+    double low, high;                       ///< numbers of from and to
+    char unit[CLOD_PLAN_UNIT];              ///< as written behind both; "": none
 } clod_plan_parameter;
 
 typedef enum clod_plan_scale { CLOD_PLAN_LINEAR, CLOD_PLAN_LOG } clod_plan_scale;
@@ -140,8 +147,41 @@ size_t clod_plan_least_points(size_t parameters);
 /** Points of the design among so many points: two thirds, and as many as the parameters need at least. */
 size_t clod_plan_design_points(size_t parameters, size_t points);
 
-/** "key=value unit", as --set takes it; owned (clod_memory_free), NULL without memory. */
-char *clod_plan_setting(const clod_plan_parameter *self, double place);
+/** A key of a parameter: its own, with m = 0, or that of its m-th multiple. */
+const char *clod_plan_key(const clod_plan_parameter *self, size_t m);
+
+/** Factor of a parameter's key: 1 of its own.   Test  tests/calibrate/test_plan_set.c */
+double clod_plan_factor(const clod_plan_parameter *self, size_t m);
+
+/**
+ * What a key of a parameter gets where all parameters have a place in [0, 1]: number, times factor, times the
+ * value of its base.
+ *
+ * @param k      parameter
+ * @param m      which of its keys, as of clod_plan_key
+ * @param place  [parameters]; NULL: the middle of all
+ * @return       in clod_plan_key_unit
+ * Test  tests/calibrate/test_plan_set.c
+ */
+double clod_plan_key_value(const clod_plan *self, size_t k, size_t m, const double *place);
+
+/** Unit of the keys of a parameter: that of its base, where it has one; "": none. */
+const char *clod_plan_key_unit(const clod_plan_parameter *self);
+
+/** Texts as --set takes them. */
+typedef struct clod_plan_settings {
+    char **items; ///< [count] owned; "key=value unit"
+    size_t count;
+} clod_plan_settings;
+
+/** Those of a test alone, without parameters; false without memory. Owned in any case (_fini). */
+bool clod_plan_settings_of_test(const clod_plan_test *test, clod_plan_settings *self);
+
+/** Those of a test, and behind them those of all parameters at a place, NULL: the middle; as above. */
+bool clod_plan_settings_at(const clod_plan *plan, const clod_plan_test *test,
+                           const double *place, clod_plan_settings *self);
+
+void clod_plan_settings_fini(clod_plan_settings *self);
 
 /**
  * The case of a test with all parameters at a place of their ranges.

@@ -40,3 +40,7 @@ void clod_plan_conflicts_shear(clod_loader *loader, const clod_plan *self);
 /** Warn of targets that are possible and hardly meant: an error above its value, a solid that gets weaker by
  *  consolidation, or is denser at the walls of a cell; of a plan without complaints (plan_doubts.c). */
 void clod_plan_warn_doubts(clod_plan *self);
+
+/** Warn of specimens of one table that serve used targets of two tests, which count as independent
+ *  (plan_specimens.c).   Test  tests/calibrate/test_plan_set.c */
+void clod_plan_warn_shared_specimens(clod_plan *self);

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "calibrate/plan_check.h"
 #include "calibrate/plan_loci.h"
 #include "calibrate/test_kinds.h"
 #include "config/testers.h"
@@ -174,4 +175,5 @@ void clod_plan_warn_doubts(clod_plan *self)
         warn_of_number(self, RISING[k]);
     }
     warn_of_inside(self);
+    clod_plan_warn_shared_specimens(self);
 }

@@ -77,41 +77,44 @@ static const char *no_parameter(const char *key)
     return NULL;
 }
 
+/** Where the plan has a key of a parameter. */
+static void path_of(const clod_plan_parameter *self, size_t m, char path[PATH])
+{
+    snprintf(path, PATH, "parameters.%.60s.%s%.100s", self->name, m == 0 ? "key" : "multiples.",
+             m == 0 ? "" : clod_plan_key(self, m));
+}
+
 void clod_plan_check_key(clod_loader *loader, const clod_plan_parameter *self)
 {
-    char path[PATH];
-    snprintf(path, sizeof path, "parameters.%.60s.key", self->name);
-    const clod_param *row = find_row(&CLOD_TABLE_CASE, self->key);
-    const char *why = no_parameter(self->key);
-    if (why != NULL) {
-        clod_check_fail(loader, path, "%s", why);
-    } else if (row != NULL && row->kind == CLOD_PARAM_INTEGER) {
-        clod_check_fail(loader, path,
-                        "%s takes whole numbers only, and a parameter takes every value "
-                        "between from and to; give it in the case",
-                        self->key);
+    for (size_t m = 0; m <= self->multiple_count; m++) {
+        char path[PATH];
+        const char *key = clod_plan_key(self, m);
+        const clod_param *row = find_row(&CLOD_TABLE_CASE, key);
+        const char *why = no_parameter(key);
+        path_of(self, m, path);
+        if (why != NULL) {
+            clod_check_fail(loader, path, "%s", why);
+        } else if (row != NULL && row->kind == CLOD_PARAM_INTEGER) {
+            clod_check_fail(loader, path,
+                            "%s takes whole numbers only, and a parameter takes every value "
+                            "between from and to; give it in the case",
+                            key);
+        }
     }
 }
 
 clod_case *clod_plan_case(const clod_plan *self, const clod_plan_test *test,
                           const double *place, clod_status *status)
 {
-    char *settings[CLOD_PLAN_PARAMETERS] = {NULL};
-    bool good = true;
-    for (size_t k = 0; k < self->parameter_count; k++) {
-        settings[k] = clod_plan_setting(&self->parameters[k], place != NULL ? place[k] : 0.5);
-        good = good && settings[k] != NULL;
-    }
+    clod_plan_settings settings;
     clod_case *found = NULL;
-    if (good) {
-        found = clod_case_load(test->path, (const char *const *)settings, self->parameter_count,
+    if (clod_plan_settings_at(self, test, place, &settings)) {
+        found = clod_case_load(test->path, (const char *const *)settings.items, settings.count,
                                status);
     } else {
         clod_status_fail(status, CLOD_FAILED, "No memory for the case.");
     }
-    for (size_t k = 0; k < self->parameter_count; k++) {
-        clod_memory_free(settings[k]);
-    }
+    clod_plan_settings_fini(&settings);
     return found;
 }
 
@@ -159,6 +162,21 @@ static bool accepts(clod_loader *loader, const clod_plan *self, const clod_plan_
     return good;
 }
 
+/** Where an end of a range of parameter k is refused: at a key that the cases do not have, if the plan has one. */
+static void path_of_end(const clod_plan *self, size_t k, const char *end, char path[PATH])
+{
+    snprintf(path, PATH, "parameters.%.60s.%s", self->parameters[k].name, end);
+    for (size_t i = 0; i < self->parameter_count; i++) {
+        const clod_plan_parameter *of = &self->parameters[i];
+        for (size_t m = 0; m <= of->multiple_count; m++) {
+            if (!is_key(clod_plan_key(of, m))) {
+                path_of(of, m, path);
+                return;
+            }
+        }
+    }
+}
+
 /** Each parameter at either end, the others in the middle. */
 static bool accepts_ends(clod_loader *loader, const clod_plan *self, const clod_plan_test *test)
 {
@@ -168,10 +186,7 @@ static bool accepts_ends(clod_loader *loader, const clod_plan *self, const clod_
         for (size_t m = 0; m < self->parameter_count; m++) {
             place[m] = m == k / 2 ? (double)(k % 2) : 0.5;
         }
-        snprintf(path, sizeof path, "parameters.%.60s.%s", self->parameters[k / 2].name,
-                 !is_key(self->parameters[k / 2].key) ? "key"
-                 : k % 2 == 0                         ? "from"
-                                                      : "to");
+        path_of_end(self, k / 2, k % 2 == 0 ? "from" : "to", path);
         if (!accepts(loader, self, test, place, path)) {
             return false;
         }

@@ -25,17 +25,29 @@ static json_t *parameter(const clod_result *self, size_t k)
         json_object_set_new(tied, self->plan->parameters[m].name,
                             clod_json_number(from->correlation[k * from->dimensions + m]));
     }
-    return json_pack("{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "key",
-                     of->key, "unit", of->unit, "scale",
-                     of->scale == CLOD_PLAN_LOG ? "log" : "linear", "from",
-                     clod_json_number(of->low), "to", clod_json_number(of->high), "mean",
-                     clod_json_number(clod_plan_number(of, one->mean)), "low",
-                     clod_json_number(clod_plan_number(of, one->low)), "high",
-                     clod_json_number(clod_plan_number(of, one->high)), "relative_width",
-                     clod_json_number(one->width), "identified",
-                     CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(from, k)], "rhat",
-                     clod_json_number(one->rhat), "effective_samples",
-                     clod_json_number(one->effective), "correlations", tied);
+    json_t *made = json_pack(
+        "{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "key", of->key,
+        "unit", of->unit, "scale", of->scale == CLOD_PLAN_LOG ? "log" : "linear", "from",
+        clod_json_number(of->low), "to", clod_json_number(of->high), "mean",
+        clod_json_number(clod_plan_number(of, one->mean)), "low",
+        clod_json_number(clod_plan_number(of, one->low)), "high",
+        clod_json_number(clod_plan_number(of, one->high)), "relative_width",
+        clod_json_number(one->width), "identified",
+        CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(from, k)], "rhat",
+        clod_json_number(one->rhat), "effective_samples", clod_json_number(one->effective),
+        "correlations", tied);
+    if (of->multiple_count > 0) {
+        json_t *multiples = json_object();
+        for (size_t m = 1; m <= of->multiple_count; m++) {
+            json_object_set_new(multiples, clod_plan_key(of, m),
+                                clod_json_number(clod_plan_factor(of, m)));
+        }
+        json_object_set_new(made, "multiples", multiples);
+    }
+    if (of->base != NULL) {
+        json_object_set_new(made, "times", json_string(of->base->name));
+    }
+    return made;
 }
 
 /** The surrogate along one parameter, the others at the posterior's means. */

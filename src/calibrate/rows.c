@@ -35,13 +35,14 @@ char *clod_rows_settings(const clod_plan *plan, size_t row, const double *places
         return NULL;
     }
     fprintf(out, "seed=%lld", (long long)clod_runs_seed(plan, row));
-    for (size_t k = 0; k < plan->parameter_count; k++) {
-        char *one =
-            clod_plan_setting(&plan->parameters[k], places[point * plan->parameter_count + k]);
-        text.lost = text.lost || one == NULL;
-        fprintf(out, "; %s", one != NULL ? one : "");
-        clod_memory_free(one);
+    clod_plan_settings settings;
+    text.lost = !clod_plan_settings_at(plan, &plan->tests[clod_runs_test_of(plan, row)],
+                                       places + point * plan->parameter_count, &settings) ||
+                text.lost;
+    for (size_t k = 0; k < settings.count; k++) {
+        fprintf(out, "; %s", settings.items[k]);
     }
+    clod_plan_settings_fini(&settings);
     return clod_text_close(&text);
 }
 
@@ -248,8 +249,14 @@ static char *describe(const clod_runs *runs)
             clod_version_text(), (long long)plan->seed, (long long)plan->seeds);
     for (size_t k = 0; k < plan->parameter_count; k++) {
         const clod_plan_parameter *one = &plan->parameters[k];
-        fprintf(out, "parameter %s %.17g %.17g %s %s\n", one->key, one->low, one->high,
-                one->unit, one->scale == CLOD_PLAN_LOG ? "log" : "linear");
+        fprintf(out, "parameter %s %.17g %.17g %s %s", one->key, one->low, one->high, one->unit,
+                one->scale == CLOD_PLAN_LOG ? "log" : "linear");
+        for (size_t m = 1; m <= one->multiple_count; m++) {
+            fprintf(out, ", %.17g times it %s", clod_plan_factor(one, m),
+                    clod_plan_key(one, m));
+        }
+        fprintf(out, "%s%s\n", one->base != NULL ? ", times " : "",
+                one->base != NULL ? one->base->key : "");
     }
     for (size_t k = 0; k < plan->test_count; k++) {
         fputs(runs->cases[k], out);

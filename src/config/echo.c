@@ -3,6 +3,8 @@
  * Structs -> a complete YAML text, by the parameter tables; it loads again to the same structs.
  */
 
+#include "config/echo.h"
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +13,6 @@
 #include "base/given.h"
 #include "base/memory.h"
 #include "base/text.h"
-#include "config/param.h"
 
 /** Where the text goes, and the case it is of. */
 typedef struct echo {
@@ -139,16 +140,25 @@ static bool is_zero(const clod_param *param, const void *target)
     }
 }
 
-static bool is_shown(const echo *to, const clod_param *param, const void *target)
+bool clod_echo_shows(const clod_case *whole, const clod_param *param, const void *target)
 {
     if (param->given != 0) {
         return *(const bool *)at(target, param->given);
     }
     if (param->used != NULL) {
-        return param->used(to->whole, target);
+        return param->used(whole, target);
     }
     return param->need == CLOD_PARAM_REQUIRED || param->fallback != NULL ||
            !is_zero(param, target);
+}
+
+void clod_echo_value(FILE *out, const clod_param *param, const void *target)
+{
+    if (param->zero_word != NULL && is_zero(param, target)) {
+        fputs(param->zero_word, out);
+    } else {
+        print_value(out, param, target);
+    }
 }
 
 static void print_table(const echo *to, const clod_table *table, const void *target, int depth,
@@ -194,7 +204,7 @@ static void print_pairs(const echo *to, const clod_param *param, const void *tar
             fprintf(out, "%s-%s:\n", self->materials[a].name, self->materials[b].name);
             for (size_t i = 0; i < param->table->count; i++) {
                 const clod_param *row = &param->table->params[i];
-                if (is_shown(to, row, contact)) {
+                if (clod_echo_shows(self, row, contact)) {
                     indent(out, depth + 2);
                     fprintf(out, "%s: ", row->key);
                     print_value(out, row, contact);
@@ -223,11 +233,7 @@ static void print_row(const echo *to, const clod_param *param, const void *targe
         break;
     default:
         fputc(' ', out);
-        if (param->zero_word != NULL && is_zero(param, target)) {
-            fputs(param->zero_word, out);
-        } else {
-            print_value(out, param, target);
-        }
+        clod_echo_value(out, param, target);
         fputc('\n', out);
         break;
     }
@@ -241,7 +247,7 @@ static void print_table(const echo *to, const clod_table *table, const void *tar
     for (size_t i = 0; i < table->count; i++) {
         const clod_param *param = &table->params[i];
         const bool chosen = !table->one_of || *(const int *)at(target, table->kind) == (int)i;
-        if (!chosen || !is_shown(to, param, target)) {
+        if (!chosen || !clod_echo_shows(to->whole, param, target)) {
             continue;
         }
         if (!placed) {

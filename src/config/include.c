@@ -37,10 +37,19 @@ static bool read_text(clod_loader *self, const clod_node *node)
     return !self->report->lost;
 }
 
-static void merge(clod_loader *self, clod_node *to, const clod_node *from);
+/** Put a value in place of another one, at the same key. */
+static void replace(clod_node *there, const clod_node *item)
+{
+    const char *key = there->key;
+    *there = *item;
+    there->key = key;
+}
 
-/** One item of the included file, at the key of the same name in the case if there is one. */
-static void merge_item(clod_loader *self, clod_node *to, clod_node *item)
+static void merge(clod_loader *self, clod_node *to, const clod_node *from, bool wins);
+
+/** One item of the included file, at the key of the same name in the case if there is one.
+ *  @param wins  its value stands in place of the case's */
+static void merge_item(clod_loader *self, clod_node *to, clod_node *item, bool wins)
 {
     clod_node *there = clod_tree_step(to, item->key, strlen(item->key));
     const size_t length = clod_load_enter(self, item->key);
@@ -51,19 +60,25 @@ static void merge_item(clod_loader *self, clod_node *to, clod_node *item)
                         "the list of the case has no such element; it has %zu, counted from 0",
                         to->count);
     } else if (there->kind != CLOD_NODE_SCALAR && item->kind == CLOD_NODE_MAP) {
-        merge(self, there, item);
-    } else if (clod_load_place(there).source != CLOD_PLACE_INCLUDED) { // twice there: was told
-        clod_report_add(self->report, clod_load_place(there), self->path,
-                        "is given in %s too, in line %d; keep one of them",
-                        self->report->included_name, item->place.line);
+        merge(self, there, item, wins);
+    } else if (clod_load_place(there).source == CLOD_PLACE_INCLUDED) {
+        // twice there: was told
+    } else if (wins) {
+        replace(there, item);
+    } else {
+        clod_report_add(
+            self->report, clod_load_place(there), self->path,
+            "is given in %s too, in line %d; keep one of them, or name that file by --set "
+            "include=FILE in place of the case: its values then count",
+            self->report->included_name, item->place.line);
     }
     clod_load_leave(self, length);
 }
 
-static void merge(clod_loader *self, clod_node *to, const clod_node *from)
+static void merge(clod_loader *self, clod_node *to, const clod_node *from, bool wins)
 {
     for (size_t i = 0; i < from->count && !self->report->lost; i++) {
-        merge_item(self, to, from->items[i]);
+        merge_item(self, to, from->items[i], wins);
     }
 }
 
@@ -90,5 +105,5 @@ void clod_include_merge(clod_loader *self)
                         "an included file cannot include another");
         return;
     }
-    merge(self, self->root, other);
+    merge(self, self->root, other, node->place.source > 0); // by --set
 }

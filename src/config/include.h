@@ -8,8 +8,9 @@
 
 /**
  * Merge the file that the tree names into the tree, before any override. Sections of both are joined, step
- * by step; a value that both have is an error, and so is an include in the included file. The file's text
- * lives in the loader's arena.
+ * by step. A value that both have is an error, but for a file that --set names, whose values replace those of
+ * the case as every --set does. An include in the included file is an error. The file's text lives in the
+ * loader's arena.
  *
  * @param self  loader; root is the tree or NULL; errors go to its report, with the name and the line of the
  *              file they stand in

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/settings.h"
 #include "config/suggest.h"
 #include "config/value.h"
 
@@ -194,6 +195,9 @@ static void load_given(clod_loader *self, const clod_param *param, const clod_no
     case CLOD_PARAM_PAIRS: // the pairs: contacts.c, when the materials are known
         load_rows(self, param->beside, node, clod_load_place(node), target);
         break;
+    case CLOD_PARAM_SETTINGS:
+        clod_settings_load(self, param, node, target);
+        break;
     default:
         clod_value_load(self, param, node, target);
         break;
@@ -293,6 +297,10 @@ void clod_load_free(const clod_table *table, void *target)
         case CLOD_PARAM_REALS:
         case CLOD_PARAM_PAIRS:
             clod_memory_free(*value);
+            *value = NULL;
+            break;
+        case CLOD_PARAM_SETTINGS:
+            clod_settings_free(*value, *(size_t *)at(target, param->count));
             *value = NULL;
             break;
         case CLOD_PARAM_SECTION:

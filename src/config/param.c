@@ -58,6 +58,7 @@ static const char *kind_name(clod_param_kind kind)
         [CLOD_PARAM_LIST] = "list of sections",
         [CLOD_PARAM_MAP] = "sections by name",
         [CLOD_PARAM_PAIRS] = "sections by pair of materials (a-b), and default",
+        [CLOD_PARAM_SETTINGS] = "keys with values, whichever",
     };
     return NAMES[kind];
 }

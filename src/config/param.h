@@ -29,6 +29,7 @@ typedef enum clod_param_kind {
     CLOD_PARAM_LIST,      ///< owned array of the table's structs, number at `count`
     CLOD_PARAM_MAP,       ///< the same with names; the struct starts with an owned char *name
     CLOD_PARAM_PAIRS,     ///< the contact laws of material pairs (contacts.h)
+    CLOD_PARAM_SETTINGS,  ///< owned array of clod_setting, number at `count` (settings.h)
 } clod_param_kind;
 
 typedef enum clod_param_need {

@@ -174,7 +174,19 @@ static const clod_param ROWS[] = {
      CLOD_AT(C, include),
      .help =
          "File with further keys of the case, for instance a material card of clod calibrate. A key is in "
-         "one of the two files only. The complete case has the keys in place of this one.",
+         "one of the two files only; of a file that --set include=FILE names the value replaces the case's. The "
+         "complete case has the keys in place of this one.",
+     .source = "docs/howto/calibrate.md"},
+    {.key = "calibrated_with",
+     .kind = CLOD_PARAM_SETTINGS,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "{density: 2500 kg/m3, friction: 0.4}",
+     .used = never,
+     CLOD_AT(C, calibrated_with),
+     CLOD_COUNT(C, calibrated_with_count),
+     .help =
+         "Of an included material card, as clod calibrate writes it: what else the grains were made of, density and "
+         "keys of the contact of two of them. clod check and clod run warn where the case has another value.",
      .source = "docs/howto/calibrate.md"},
     {.key = "seed",
      .kind = CLOD_PARAM_INTEGER,

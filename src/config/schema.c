@@ -156,6 +156,9 @@ static json_t *plain_schema(const clod_param *param)
     case CLOD_PARAM_FILE:
         set_text(object, "type", "string");
         break;
+    case CLOD_PARAM_SETTINGS:
+        set_text(object, "type", "object");
+        break;
     default: { // a text may look like a number: title: 42
         json_t *types = json_array();
         json_array_append_new(types, json_string("string"));

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/plural.h"
+#include "config/grain_solid.h"
 #include "parallel/threads.h"
 #include "setup/grains.h"
 #include "sim/check_testers.h"
@@ -154,12 +155,22 @@ static void warn_outputs(const clod_case *from, clod_check_report *r)
     }
 }
 
+/** A card that was calibrated with another solid. */
+static void warn_solid(const clod_case *from, clod_check_report *r)
+{
+    char text[CLOD_CHECK_WARNING_TEXT];
+    if (clod_grain_solid_differs(from, text, sizeof text)) {
+        clod_check_warning(r, "%s", text);
+    }
+}
+
 void clod_check_warn(const clod_check_subject *subject, clod_check_report *report)
 {
     const clod_tester_row *tester = clod_testers_row(report->kind);
     warn_outputs(subject->from, report);
     warn_step(report);
     warn_contact(subject->from, report);
+    warn_solid(subject->from, report);
     clod_check_soften_warn(subject, report);
     if (tester->warn != NULL) {
         tester->warn(subject, report);

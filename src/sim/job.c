@@ -418,6 +418,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
             clod_outputs_say_short(job->sim->from, job->state.dt, text, sizeof text)) {
             clod_job_tell(job, text);
         }
+        clod_job_bed_tell_solid(job);
         snprintf(job->memory.version, sizeof job->memory.version, "%s", clod_version_text());
         if (job->sim->origin != NULL) {
             memcpy(job->memory.origin, job->sim->origin->text, sizeof job->memory.origin);

@@ -1,9 +1,12 @@
 #include "sim/job_bed.h"
 
 #include <math.h>
+#include <stdio.h>
 
+#include "config/grain_solid.h"
 #include "measure/contacts.h"
 #include "setup/stability.h"
+#include "sim/job_store.h"
 #include "tester/limits.h"
 
 /** The largest stable step of now, once for a moment. */
@@ -103,4 +106,14 @@ void clod_job_log_end(const clod_job *job, const clod_step *step, bool ok,
         (json_int_t)step->rebuilds, "refreshes", (json_int_t)step->refreshes, "contacts",
         (json_int_t)bed.pairs, "coordination", bed.coordination, "max_overlap", bed.max_overlap,
         "stable_step_s", clod_job_stable_step(job), "message", ok ? "" : status->text);
+}
+
+void clod_job_bed_tell_solid(const clod_job *job)
+{
+    char text[CLOD_SOLID_TEXT];
+    char line[CLOD_SOLID_TEXT + 16];
+    if (job->state.step == 0 && clod_grain_solid_differs(job->sim->from, text, sizeof text)) {
+        snprintf(line, sizeof line, "warning: %s", text);
+        clod_job_tell(job, line);
+    }
 }

@@ -353,7 +353,8 @@ sampling: {samples: 1000}
             card = file.read()
         self.assertIn("# Material card: Fines 7 percent", card.splitlines()[0])
         keys = [line for line in card.splitlines() if not line.startswith("#")]
-        self.assertEqual([line.split(":")[0].strip() for line in keys], ["contacts", "default", "restitution"])
+        self.assertEqual([line.split(":")[0].strip() for line in keys][:4],
+                         ["contacts", "default", "restitution", "calibrated_with"])
 
 
 if __name__ == "__main__":

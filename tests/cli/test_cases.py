@@ -47,7 +47,8 @@ class Cases(clod.Case):
                         file.write(DRUM_GRAINS)
                     path = self.path(name)
                 verb = {"hopper.yaml": ["hopper"], "plan.yaml": ["calibrate", "--check"],
-                        "plan-8.yaml": ["calibrate", "--check"], "plan-wall.yaml": ["calibrate", "--check"]}.get(
+                        "plan-8.yaml": ["calibrate", "--check"], "plan-wall.yaml": ["calibrate", "--check"],
+                        "plan-loci.yaml": ["calibrate", "--check"]}.get(
                     name, ["check", "-t", "1", "--json"])
                 done = clod.run(*verb, path)
                 self.assertEqual(done.returncode, 0, done.stderr)

@@ -3,6 +3,7 @@
  * mistake stands.
  */
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -108,6 +109,33 @@ static void an_override_may_name_the_file(void **state)
     assert_non_null(strstr(status.text, "nothing.yaml: cannot be opened"));
 }
 
+// As all --set: 0.4 of the card in place of 0.3, a vector whole, the radius within its section; the rest stays.
+static void a_file_that_an_override_names_replaces_keys(void **state)
+{
+    (void)state;
+    static const char BOTH[] = "contacts:\n  default: {friction: 0.4}\n"
+                               "domain: {max: [1 m, 1 m, 2 m]}\n"
+                               "grains:\n  0: {radius: {min: 4 mm}}\n";
+    const char *overrides[] = {"include=card.yaml", "grains.0.count=5"};
+    clod_case *self = load("include: nothing.yaml\n", BOTH, overrides, 2);
+    assert_non_null(self);
+    assert_true(clod_case_pair(self, 0, 0)->friction == 0.4 &&
+                clod_case_pair(self, 0, 0)->k1 == 1e5);
+    assert_true(self->domain_max[2] == 2.0 && self->domain_min[2] == 0.0);
+    assert_true(fabs(self->grains[0].radius_min - 4e-3) < 1e-15 && self->grains[0].count == 5);
+    clod_case_destroy(&self);
+    // --set after the card, whatever the order
+    const char *more[] = {"contacts.default.friction=0.6", "include=card.yaml"};
+    self = load("", BOTH, more, 2);
+    assert_non_null(self);
+    assert_true(clod_case_pair(self, 0, 0)->friction == 0.6);
+    clod_case_destroy(&self);
+    // mistakes of the card are still shown there
+    assert_null(load("", "contacts:\n  default: {friction: -1}\n", more + 1, 1));
+    assert_non_null(
+        strstr(status.text, "card.yaml:2:23: contacts.default.friction: -1 is out of range"));
+}
+
 static void a_key_in_both_is_refused_with_both_places(void **state)
 {
     (void)state;
@@ -115,7 +143,7 @@ static void a_key_in_both_is_refused_with_both_places(void **state)
     snprintf(
         words, sizeof words,
         "%s/case.yaml:4:38: contacts.default.friction: is given in %s/card.yaml too, in line 3; keep "
-        "one of them",
+        "one of them, or name that file by --set include=FILE",
         folder, folder);
     refuse("include: card.yaml\n", "contacts:\n  default:\n    friction: 0.4\n", words);
 }
@@ -181,6 +209,7 @@ int main(void)
         cmocka_unit_test(sections_are_joined),
         cmocka_unit_test(an_override_comes_after),
         cmocka_unit_test(an_override_may_name_the_file),
+        cmocka_unit_test(a_file_that_an_override_names_replaces_keys),
         cmocka_unit_test(a_key_in_both_is_refused_with_both_places),
         cmocka_unit_test(mistakes_in_the_card_are_shown_there),
         cmocka_unit_test(a_key_that_is_twice_in_the_card_is_told_once),

@@ -1,0 +1,76 @@
+"""The material card says what its values belong to, and a case that includes it is compared with that."""
+
+import json
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import bounce
+import clod
+
+# Of bounce.yaml: what is written there, and the defaults of docs/manual.md.
+WITH = {"density": "2500 kg/m3", "soften": "1", "law": "hooke", "exponent": "1", "k1": "100000 N/m", "friction": "0",
+        "coulomb": "adhesive", "tangential": "tangent", "rolling": "none"}
+DIFFERS = "the included card was calibrated with another solid than ore is here: "
+
+
+class Card(bounce.Bounce):
+
+    def section(self):
+        """Keys and values of calibrated_with."""
+        with open(self.path("out/card.yaml")) as file:
+            below = file.read().split("calibrated_with:")[1].split("\n")
+        self.assertIn("ore in the test bounce", below[0])
+        return dict(line.strip().split(": ") for line in below[1:] if line)
+
+    def warnings(self, case, *arguments):
+        done = clod.run("check", case, "--json", "-t", "1", *arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout).get("warnings", [])
+
+    def test_card_has_the_rest_of_the_solid_and_cases_are_compared_with_it(self):
+        self.calibrate(bounce.PLAN, "-o", "out")
+        found = self.section()
+        for key, value in WITH.items():
+            self.assertEqual(found.get(key), value, key)
+        self.assertNotIn("restitution", found)  # calibrated: it stands above
+        card = ("--set", "include=out/card.yaml")
+        self.assertEqual([text for text in self.warnings("bounce.yaml", *card) if DIFFERS in text], [])
+        # another unit is no other value
+        same = self.warnings("bounce.yaml", *card, "--set", "contacts.default.k1=100 kN/m")
+        self.assertEqual([text for text in same if DIFFERS in text], [])
+        other = self.warnings("bounce.yaml", *card, "--set", "contacts.default.friction=0.9", "--set", "contacts.soften=5",
+                              "--set", "materials.ore.density=2600 kg/m3")
+        told = [text for text in other if DIFFERS in text]
+        self.assertEqual(len(told), 1, other)
+        for words in ("density 2600 kg/m3 (card: 2500 kg/m3)", "soften 5 (card: 1)", "friction 0.9 (card: 0)"):
+            self.assertIn(words, told[0])
+        # clod run says so in its log
+        done = clod.run("run", "bounce.yaml", *card, "--set", "contacts.default.friction=0.9", "-o", "one", "-t", "1",
+                        cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: " + DIFFERS + "friction 0.9 (card: 0).", " ".join(done.stderr.split()))
+        with open(self.path("one/case-complete.yaml")) as file:
+            self.assertNotIn("calibrated_with", file.read())
+
+    def test_calibrated_keys_are_not_compared(self):
+        plan = bounce.PLAN.replace("from: 0.2, to: 0.9", "from: 0.2, to: 0.9, multiples: {contacts.default.friction: 0.5}")
+        self.calibrate(plan.replace("parameters:", "parameters:\n  s: {key: contacts.soften, from: 1, to: 2}"), "-o", "out")
+        found = self.section()
+        for key in ("restitution", "friction", "soften"):
+            self.assertNotIn(key, found)
+        self.assertEqual(found["k1"], WITH["k1"])
+
+    def test_card_of_cases_lab_to_outlet(self):
+        """It belongs to the case of its plan."""
+        lab = clod.source("cases/lab-to-outlet")
+        with open(os.path.join(lab, "card.yaml")) as file:
+            self.assertRegex(file.read(), r"(?m)^  k1: 3000000 N/m\^1.5$")
+        for case in ("ring.yaml", "chute.yaml", "wall.yaml"):
+            arguments = ("--set", f"include={lab}/card.yaml") if case == "ring.yaml" else ()
+            texts = self.warnings(os.path.join(lab, case), *arguments)
+            self.assertEqual([text for text in texts if "the included card" in text], [], case)
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
