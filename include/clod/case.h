@@ -331,7 +331,7 @@ typedef struct clod_case {
     char *text; ///< its whole text, for the copy in the results folder and the checkpoint
     char *title;
     char *include; ///< file whose keys were taken over (in all fields); NULL: none
-    struct clod_setting *calibrated_with; ///< of an included card (src/config/solid.h)
+    struct clod_setting *calibrated_with; ///< of an included card (src/config/settings.h)
     size_t calibrated_with_count;
     int64_t seed;
     bool periodic[3];
