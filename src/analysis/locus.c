@@ -37,6 +37,7 @@ bool clod_locus_one_specimen(const clod_locus *self)
 
 const char *clod_locus_errors_note(const clod_locus *self)
 {
+    CLOD_NEED(self);
     const bool one = clod_locus_one_specimen(self);
     return one && self->preshear_untold ? CLOD_LOCUS_ONE_SPECIMEN
                "; " CLOD_LOCUS_PRESHEAR_UNTOLD

@@ -147,7 +147,11 @@ static clod_posterior *of_a_parabola(plan_made *made, double value, bool *apart)
 /** All files of a calibration of that parabola; owned. */
 static void tell(plan_made *made, clod_posterior *posterior, char *texts[4])
 {
-    clod_plan_test test = {.name = made->names[0], .path = made->names[0]};
+    clod_status status = {CLOD_OK, ""};
+    clod_case *from =
+        clod_case_load(CLOD_SOURCE_DIR "/cases/calibrate-kadh/ring.yaml", NULL, 0, &status);
+    assert_non_null(from);
+    clod_plan_test test = {.name = made->names[0], .path = made->names[0], .middle = from};
     made->plan.tests = &test;
     made->plan.test_count = 1;
     const clod_study study = {.posterior = posterior, .points = 9, .designed = 9};
@@ -161,6 +165,7 @@ static void tell(plan_made *made, clod_posterior *posterior, char *texts[4])
     for (int k = 0; k < 4; k++) {
         assert_non_null(texts[k]);
     }
+    clod_case_destroy(&from);
 }
 
 static void chains_that_lie_apart_have_no_result(void **state)
@@ -184,6 +189,7 @@ static void chains_that_lie_apart_have_no_result(void **state)
     assert_null(strstr(texts[0], "nan"));
     assert_non_null(strstr(texts[1], "# NO RESULT"));
     assert_null(strstr(texts[1], "p0:")); // every line is a comment
+    assert_null(strstr(texts[1], "calibrated_with"));
     assert_non_null(strstr(texts[2], "\"chains_apart\": true"));
     assert_non_null(strstr(texts[2], "\"mean\": null"));
     assert_string_equal(texts[3], "p0 [1]\n");
@@ -205,6 +211,7 @@ static void chains_that_agree_have_one(void **state)
     tell(&made, self, texts);
     assert_non_null(strstr(texts[0], " missed "));
     assert_non_null(strstr(texts[1], "p0: 0.5"));
+    assert_non_null(strstr(texts[1], "calibrated_with:"));
     assert_non_null(strstr(texts[1], "; not identified: the targets are missed"));
     assert_non_null(strstr(texts[2], "\"identified\": \"missed\""));
     for (int k = 0; k < 4; k++) {

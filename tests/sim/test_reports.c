@@ -123,6 +123,7 @@ static void fill_ring(clod_part part[5], clod_ring_shear test[5], double tau)
         snprintf(part[p].name, sizeof part[p].name, p < 2 ? "before-%d" : "point-%d", p);
         test[p].preshear_stress = test[p].preshear_normal = 10e3;
         test[p].preshear_shear = 7e3;
+        test[p].preshear_error = 100.0;
         test[p].preshear_density = 1500.0;
         test[p].preshear_height = 0.02;
         if (p > 1) {
