@@ -26,7 +26,7 @@ class Explain(clod.Case):
         self.assertIn("one of linear, log", told)
         told = self.explain("cone.half_angle").stdout
         self.assertIn("cone.half_angle" + HOPPER, told)
-        self.assertIn("allowed  at least 0 deg and at most 60 deg", told)
+        self.assertIn("allowed  above 0 deg and at most 60 deg", told)
 
     def test_a_key_of_several_files_is_explained_for_each(self):
         told = self.explain("title").stdout

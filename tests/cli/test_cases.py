@@ -47,7 +47,7 @@ class Cases(clod.Case):
                         file.write(DRUM_GRAINS)
                     path = self.path(name)
                 verb = {"hopper.yaml": ["hopper"], "plan.yaml": ["calibrate", "--check"],
-                        "plan-8.yaml": ["calibrate", "--check"], "plan-wall.yaml": ["calibrate", "--check"],
+                        "plan-8.yaml": ["calibrate", "--check"], "plan-friction.yaml": ["calibrate", "--check"], "plan-wall.yaml": ["calibrate", "--check"],
                         "plan-loci.yaml": ["calibrate", "--check"]}.get(
                     name, ["check", "-t", "1", "--json"])
                 done = clod.run(*verb, path)
