@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "base/json.h"
 #include "config/wall_cells.h"
 #include "config/wall_ridges.h"
 #include "sim/check_testers.h"
@@ -137,7 +138,8 @@ void clod_check_wall_put(json_t *to, const clod_check_report *r)
     if (r->plate_ridges > 0) {
         json_object_set_new(to, "plate_ridges", json_integer((json_int_t)r->plate_ridges));
         clod_check_put(to, r, RIDGE_REALS, sizeof RIDGE_REALS / sizeof RIDGE_REALS[0]);
-        json_object_set_new(to, "ridge_sink_depth_diameters", json_real(sink_over_diameter(r)));
+        json_object_set_new(to, "ridge_sink_depth_diameters",
+                            clod_json_number(sink_over_diameter(r)));
     }
 }
 
