@@ -25,8 +25,8 @@ def touch_of(phi_lin, c, sigma_p, tau_p):
 
 
 def of_setting(tests, sigma_p):
-    """(tests whose last point is far right, tests whose line is above tau_p there, mean of how fast tau_p still rose [kPa/mm] or
-    None where a test does not tell it)."""
+    """(tests whose last point is far right, tests whose line is above tau_p there, how fast tau_p of each still rose [kPa/mm], or
+    None where one does not tell it)."""
     far = sum(LAST * sigma_p - touch_of(test["phi_lin"], test["c"], sigma_p, test["tau_p"]) > FAR * sigma_p for test in tests)
     above = sum(test["c"] + math.tan(math.radians(test["phi_lin"])) * LAST * sigma_p > test["tau_p"] for test in tests)
     rising = [test["rising"] for test in tests]

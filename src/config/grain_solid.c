@@ -28,17 +28,12 @@ static bool add(clod_grain_solid *self, const clod_case *from, const clod_param 
         return true;
     }
     clod_text text;
-    clod_setting *grown =
-        clod_memory_grow(self->keys, self->count, self->count + 1, sizeof *grown);
-    FILE *out = grown != NULL ? clod_text_open(&text) : NULL;
-    self->keys = grown != NULL ? grown : self->keys;
+    FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return false;
     }
     clod_echo_value(out, param, target);
-    clod_setting *one = &self->keys[self->count++];
-    *one = (clod_setting){clod_memory_text(param->key), clod_text_close(&text)};
-    return one->key != NULL && one->value != NULL;
+    return clod_settings_add(&self->keys, &self->count, param->key, clod_text_close(&text));
 }
 
 bool clod_grain_solid_init(clod_grain_solid *self, const clod_case *from)

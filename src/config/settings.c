@@ -52,6 +52,19 @@ static void put_node(FILE *out, const clod_node *node)
     fputc(map ? '}' : ']', out);
 }
 
+bool clod_settings_add(clod_setting **items, size_t *count, const char *key, char *value)
+{
+    clod_setting *grown = clod_memory_grow(*items, *count, *count + 1, sizeof *grown);
+    if (grown == NULL) {
+        clod_memory_free(value);
+        return false;
+    }
+    *items = grown;
+    clod_setting *one = &grown[(*count)++];
+    *one = (clod_setting){clod_memory_text(key), value};
+    return one->key != NULL && value != NULL;
+}
+
 /** The settings of a section, appended to those that are there. */
 typedef struct collection {
     clod_loader *loader;
@@ -66,19 +79,14 @@ static void add(collection *self, const char *key, const clod_node *node)
         clod_report_add(report, clod_load_place(node), self->loader->path, "has no value");
         return;
     }
-    clod_setting *grown =
-        clod_memory_grow(self->items, self->count, self->count + 1, sizeof *grown);
     clod_text text;
-    FILE *out = grown != NULL ? clod_text_open(&text) : NULL;
-    self->items = grown != NULL ? grown : self->items;
-    if (out == NULL) {
-        report->lost = true;
-        return;
+    FILE *out = clod_text_open(&text);
+    if (out != NULL) {
+        put_node(out, node);
     }
-    put_node(out, node);
-    clod_setting *one = &self->items[self->count++];
-    *one = (clod_setting){clod_memory_text(key), clod_text_close(&text)};
-    report->lost = report->lost || one->key == NULL || one->value == NULL;
+    const bool good = out != NULL && clod_settings_add(&self->items, &self->count, key,
+                                                       clod_text_close(&text));
+    report->lost = report->lost || !good;
 }
 
 /** All keys below a section whose own path in the other file is `above`. */

@@ -25,5 +25,8 @@ typedef struct clod_setting {
 void clod_settings_load(clod_loader *self, const clod_param *param, const clod_node *node,
                         void *target);
 
+/** Append a setting. @param value  owned, taken over; NULL: no memory. False: no memory; what was appended stays owned. */
+bool clod_settings_add(clod_setting **items, size_t *count, const char *key, char *value);
+
 /** Free settings; NULL is fine. */
 void clod_settings_free(clod_setting *self, size_t count);
