@@ -98,16 +98,17 @@ static int workers_of(const clod_calibrate_options *options)
     return options->workers > 0 ? options->workers : clod_threads_available();
 }
 
-/** What the runs would take. */
+/** What the runs would take, and what is doubtful about their cases. */
 static bool tell_estimate(const clod_plan *plan, const clod_calibrate_options *options,
-                          clod_status *status)
+                          clod_warning_list *warnings, clod_status *status)
 {
     char text[512];
     clod_estimate estimate;
     const int workers = workers_of(options);
-    if (!clod_estimate_make(plan, workers, &estimate, status)) {
+    if (!clod_estimate_make(plan, workers, &estimate, warnings, status)) {
         return false;
     }
+    tell_all(warnings, options->tell, options->context);
     clod_estimate_text(&estimate, plan, workers, text, sizeof text);
     if (clod_estimate_hopeless(&estimate, plan)) {
         return clod_status_fail(status, CLOD_USAGE, "%s: %s", plan->path, text);
@@ -116,6 +117,18 @@ static bool tell_estimate(const clod_plan *plan, const clod_calibrate_options *o
         options->tell(options->context, text);
     }
     return true;
+}
+
+/** The plan without its runs: the preflight of its cases. */
+static bool look(const clod_plan *plan, const clod_calibrate_options *options,
+                 clod_status *status)
+{
+    clod_warning_list *warnings = clod_memory_alloc(1, sizeof *warnings);
+    const bool good = warnings != NULL ? tell_estimate(plan, options, warnings, status)
+                                       : clod_status_fail(status, CLOD_FAILED,
+                                                          "No memory to check the cases.");
+    clod_memory_free(warnings);
+    return good;
 }
 
 /** Design, runs, posterior, files. */
@@ -169,7 +182,7 @@ bool clod_calibrate_run(const char *path, const clod_calibrate_options *options,
         tell_all(&plan.warnings, options->tell, options->context); // before hours are spent
     }
     if (good) {
-        good = options->dry ? tell_estimate(&plan, options, status)
+        good = options->dry ? look(&plan, options, status)
                             : work(&plan, directory, options, report, status);
     }
     clod_memory_free(standard);

@@ -11,8 +11,18 @@
 #define HOPELESS 3.0 ///< times the budget
 #define WHOLE 10.0   ///< s, from which on whole ones are enough
 
+/** What clod check warns of a test. */
+static void add_warnings(const clod_plan_test *test, const clod_check_report *report,
+                         clod_warning_list *warnings)
+{
+    for (size_t w = 0; w < report->warning_count; w++) {
+        clod_warning_list_add(warnings, "test %s, in the middle of all ranges: %s", test->name,
+                              report->warning[w]);
+    }
+}
+
 bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
-                        clod_status *status)
+                        clod_warning_list *warnings, clod_status *status)
 {
     const clod_check_options alone = {.threads = 1};
     clod_check_report *report = clod_memory_alloc(1, sizeof *report);
@@ -20,7 +30,10 @@ bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
     bool good = report != NULL || clod_status_fail(status, CLOD_FAILED, "No memory to check.");
     for (size_t t = 0; good && t < plan->test_count; t++) {
         good = clod_check_report_make(plan->tests[t].middle, &alone, report, status);
-        self->each += good ? report->clock_likely : 0.0;
+        if (good) {
+            self->each += report->clock_likely;
+            add_warnings(&plan->tests[t], report, warnings);
+        }
     }
     self->each *= (double)plan->seeds / workers;
     self->points = plan->points > 0 ? (double)plan->points

@@ -5,6 +5,7 @@
  * preflight of `clod check`.
  */
 
+#include "base/warning_list.h"
 #include "calibrate/plan.h"
 
 typedef struct clod_estimate {
@@ -16,12 +17,13 @@ typedef struct clod_estimate {
 /**
  * Estimate it.
  *
- * @param workers  runs side by side, of one thread each
- * @param self     [out]
+ * @param workers   runs side by side, of one thread each
+ * @param self      [out]
+ * @param warnings  [out] what the preflight warns of, with the name of the test
  * Errors  as clod_check_report_make; CLOD_FAILED: memory.   Threads  safe.   Test  tests/calibrate/test_calibrate.py
  */
 bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
-                        clod_status *status);
+                        clod_warning_list *warnings, clod_status *status);
 
 #define CLOD_ESTIMATE_WORDS 32
 

@@ -189,6 +189,19 @@ sampling: {samples: 1000}
                             1e-4)
         self.assertGreater(far, 0)  # or the case says nothing about it
 
+    def test_doubts_about_the_case_of_a_test_are_told_before_its_runs(self):
+        """What clod check warns of: adhesion to a flat plate that counts only where friction goes with the pull, too."""
+        self.write_wall()
+        self.assertNotIn("next to no wall adhesion", self.calibrate(self.WALL, "--check").stderr)
+        with open(self.path("wall.yaml")) as file:
+            text = file.read()
+        self.assertIn("ore-plate: {friction: 0.2}", text)
+        self.write("wall.yaml", text.replace("ore-plate: {friction: 0.2}", "ore-plate: {friction: 0.2, k_adh: 1e6 N/m^1.5, coulomb: force}"))
+        done = self.calibrate(self.WALL, "--check")
+        self.assertIn("in order", done.stdout)
+        self.assertIn("WARNING: test wall, in the middle of all ranges: k_adh of ore and plate gives next to no wall adhesion",
+                      done.stderr)
+
     def test_wrong_targets_of_wall_friction_tests(self):
         self.write_wall()
 
