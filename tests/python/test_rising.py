@@ -73,6 +73,24 @@ class ByHand(unittest.TestCase):
         self.assertAlmostEqual(error, math.sqrt(0.75))
 
 
+class ThePage(unittest.TestCase):
+
+    def test_windows_follow_from_the_stresses(self):
+        """Which part of the rise is the pushes': from the page's table of stresses."""
+        with open(program.source("docs/results/why-stress-rises.md")) as file:
+            rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in file if line.strip().startswith("|")]
+        at = {(row[0].split("-seed")[0], row[1]): [float(row[2]), sum(map(float, row[3].split(","))), *map(float, row[5:])]
+              for row in rows if len(row) == 8 and row[3].count(",") == 2 and row[1].isdigit()}
+        windows = [row for row in rows if len(row) == 7 and "-" in row[1] and row[0] in ("base", "small")]
+        self.assertEqual(len(windows), 8)
+        for test, way, rise, share, *parts in windows:
+            before, after = (at[test, end] for end in way.split("-"))
+            logarithms = [math.log(b / a) for a, b in zip(before[:2], after[:2])]
+            self.assertAlmostEqual(float(share), logarithms[1] / logarithms[0], delta=0.006)
+            for number, a, b in zip([rise, *parts], [before[0], *before[2:]], [after[0], *after[2:]]):
+                self.assertAlmostEqual(float(number), b - a, delta=1e-9)
+
+
 class ARing(program.Case):
 
     @unittest.skipIf(h5py is None, "no h5py")
