@@ -12,7 +12,7 @@ FAR = 0.1  # of sigma_p: farther right of the steady-state circle clod warns
 
 
 def touch_of(phi_lin, c, sigma_p, tau_p):
-    """Normal stress [kPa] where the steady-state circle touches the yield locus (docs/theory/yield-locus.md): the larger circle
+    """Normal stress [kPa] where the steady-state circle touches the yield locus (docs/theory/yield-locus.md): the smaller circle
     through (sigma_p, tau_p) that touches the line of slope tan(phi_lin [deg]) and intercept c [kPa], or where the
     preshear point lies above the line, its parallel through that point."""
     slope = math.tan(math.radians(phi_lin))
