@@ -89,27 +89,36 @@ def print_near(found):
                 probability(chance_near(middle, error, len(angles) - 1, PAPER[ore]))]) + " |")
 
 
-def print_chance(found):
-    """How likely readings that mean nothing are near: independent, uniform over the span of the means of both ores."""
+def chance(found, readings):
+    """How likely readings that mean nothing are near: independent, uniform over the span of the means of both ores.
+    (lowest, highest mean [deg], {ore: (means, share of the span near the paper's angle, probability that one is near)})."""
     means = {ore: {(choice, reading): loci.mean(angles)
-                   for (choice, of), readings in found.items() if of == ore
-                   for reading, angles in readings.items()
-                   if reading in COUNTED and is_whole(angles)} for ore in settings.CASES}
+                   for (choice, of), known in found.items() if of == ore
+                   for reading, angles in known.items()
+                   if reading in readings and is_whole(angles)} for ore in settings.CASES}
     values = [angle for angles in means.values() for angle in angles.values()]
     low, high = min(values), max(values)
     shares = {ore: share_near(low, high, PAPER[ore]) for ore in means}
-    print(f"\nAll means span {low:.1f} to {high:.1f} degrees.\n")
-    print("| ore | readings N | nearest to the paper's [deg] | p: share of the span near it | 1 - (1 - p)^N |")
-    print("|---" * 5 + "|")
-    for ore, angles in means.items():
-        if angles:
-            nearest = min(angles, key=lambda key, a=angles, target=PAPER[ore]: abs(a[key] - target))
-            print(f"| {ore[3:]} % | {len(angles)} | {angles[nearest]:.1f}, {nearest[1]} of {nearest[0] or 'the case'} | "
-                  f"{shares[ore]:.3f} | {any_of(shares[ore], len(angles)):.3f} |")
-    both = [key for key in means["ore5"] if key in means["ore8"]]
+    return low, high, {ore: (angles, shares[ore], any_of(shares[ore], len(angles))) for ore, angles in means.items()}
+
+
+def print_chance(found):
+    """The chance of all readings that are counted, and of those but phi_lin, which is near in no setting."""
+    print("\n| readings | span of all means [deg] | ore | N | nearest to the paper's [deg] | p: share of the span near it "
+          "| 1 - (1 - p)^N |")
+    print("|---" * 7 + "|")
+    for title, readings in (("all", COUNTED), ("phi_e, phi_sf", COUNTED[1:])):
+        low, high, ores = chance(found, readings)
+        for ore, (angles, share, likely) in ores.items():
+            if angles:
+                nearest = min(angles, key=lambda key, a=angles, target=PAPER[ore]: abs(a[key] - target))
+                print(f"| {title} | {low:.1f} to {high:.1f} | {ore[3:]} % | {len(angles)} | {angles[nearest]:.1f}, "
+                      f"{nearest[1]} of {nearest[0] or 'the case'} | {share:.3f} | {likely:.3f} |")
+    _, _, ores = chance(found, COUNTED)
+    both = [key for key in ores["ore5"][0] if key in ores["ore8"][0]]
     near = [f"{key[1]} of {key[0] or 'the case'}" for key in both
-            if all(abs(means[ore][key] - PAPER[ore]) <= NEAR for ore in means)]
-    by_chance = any_of(math.prod(shares.values()), len(both))
+            if all(abs(ores[ore][0][key] - PAPER[ore]) <= NEAR for ore in ores)]
+    by_chance = any_of(math.prod(share for _, share, _ in ores.values()), len(both))
     print(f"\nNear both angles with the same reading of the same setting: {', '.join(near) or 'none'} of {len(both)}; at "
           f"least one by chance in {by_chance:.3f} of cases.")
 

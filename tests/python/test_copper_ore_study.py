@@ -1,5 +1,7 @@
 """What cases/copper-ore-study/run makes of tests: settings by name, angles and chances worked out by hand."""
 
+import importlib.machinery
+import importlib.util
 import json
 import math
 import os
@@ -16,9 +18,13 @@ import clod as program  # noqa: E402  runs the command line
 import closing  # noqa: E402
 import doubtful  # noqa: E402
 import loci  # noqa: E402
+import records  # noqa: E402
 import settings  # noqa: E402
 
 TOOL = program.source("cases/copper-ore-study/run")
+LOADER = importlib.machinery.SourceFileLoader("study", TOOL)
+study = importlib.util.module_from_spec(importlib.util.spec_from_loader("study", LOADER))
+LOADER.exec_module(study)
 STRESSES = (10.96e3, 21.92e3, 32.88e3, 43.84e3)  # Pa
 NORMAL = 54.8e3
 TAU = 35e3
@@ -288,6 +294,42 @@ class Tables(unittest.TestCase):
                                    program.source("cases/copper-ore-study/tests.csv"), "--" + table], capture_output=True, text=True)
             with open(program.source("docs/results/" + name)) as file:
                 self.assertIn(done.stdout.strip(), file.read())
+
+    def test_texts_have_the_chances_of_today(self):
+        """Percentages in words of README and page, from the spans and numbers of readings."""
+        rows = program.source("cases/copper-ore-study/tests.csv")
+        found = closing.packings_of(program.BINARY, self.folder + "-none", records.read(rows))
+        counts, shares = zip(*(zip(*((len(angles), f"{likely:.0%}".replace("%", " %")) for angles, _, likely in ores.values()))
+                               for _, _, ores in (closing.chance(found, closing.COUNTED), closing.chance(found, closing.COUNTED[1:]))))
+        with open(program.source("docs/results/copper-ore.md")) as file:
+            text = " ".join(file.read().split())
+        self.assertIn(f"by chance in {shares[0][0]} (5 %) and {shares[0][1]} (8 %) of cases, and in {shares[1][0]} and {shares[1][1]} where only",
+                      text)
+        self.assertIn(f"Of the {sum(counts[0])} readings ({counts[0][0]} and {counts[0][1]},", text)
+        with open(program.source("README.md")) as file:
+            self.assertIn(f"of the {counts[0][1]} angles that were read with 8 % one comes within 2° of the paper's by chance in {shares[0][1]} of "
+                          f"cases, of the {counts[1][1]} that are not phi_lin in {shares[1][1]};", file.read())
+
+    def test_kept_numbers_belong_together(self):
+        """sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)), phi_sf = atan(tau_p/sigma_p), to the digits kept; and loci of kept points."""
+        rows = records.read(program.source("cases/copper-ore-study/tests.csv"))
+        for name, row in rows.items():
+            digits = 1e-4 if len(row["clod"]) > 20 else 0.01  # ore8-seed1 to 10 are from a table of three digits
+            angle = math.radians(row["phi_lin"])
+            strength = 2 * row["c"] * math.cos(angle) / (1 - math.sin(angle))
+            self.assertAlmostEqual(row["sigma_c"] / strength, 1, delta=digits, msg=name)
+            steady = math.degrees(math.atan(row["tau_p"] / doubtful.SIGMA_P[name[:4]]))
+            self.assertAlmostEqual(row["phi_sf"] / steady, 1, delta=digits, msg=name)
+        points = {}
+        with open(program.source("cases/copper-ore-study/points.csv")) as file:
+            head, *lines = file.read().splitlines()
+        for line in lines:
+            points.setdefault(line.split(",")[0], []).append(line.split(",", 1)[1])
+        os.makedirs(os.path.join(self.folder, "of-points"))
+        for name, some in points.items():
+            locus = loci.evaluated(program.BINARY, os.path.join(self.folder, "of-points"), "\n".join([head.split(",", 1)[1], *some, ""]))
+            self.assertAlmostEqual(locus["phi_lin_deg"]["value"], rows[name]["phi_lin"], delta=1e-3, msg=name)
+            self.assertAlmostEqual(1e-3 * locus["c_Pa"]["value"], rows[name]["c"], delta=1e-3, msg=name)
 
     def test_phi_sf_on_the_way(self):
         """tau is 35 kPa/15 mm; rows at 3 and 4 mm come before 5 mm: atan(3.5 * 35/15/54.8) = 8.47 degrees."""
