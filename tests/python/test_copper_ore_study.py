@@ -202,9 +202,20 @@ class Tables(unittest.TestCase):
         write_test(self.folder, "ore5-force", 40.0)
         text = self.show("choices")
         self.assertIn("| the case | 2 | 32.0 ± 2.0 | - |", text)
-        self.assertIn("| coulomb: force | 1 | 40.0 ± 2.8 | +8.0 ± 3.5 |", text)
+        self.assertIn("| coulomb: force | 1 | 40.0 ± 2.8 | +8.0 ± 3.5 |", text)  # sqrt(2.0^2 + 2.8^2) is the same
         self.assertIn("phi_lin |\n", text)
         self.assertIn("8 %: nothing to compare with: run ore8-seed1", text)
+
+    def test_choices_have_their_own_scatter(self):
+        """40, 41 and 42 degrees: 41 ± 1/sqrt(3); of the difference to 32 ± 2 sqrt(4 + 1/3) = 2.08, with (4 + 1/3)^2/(16/1 + (1/9)/2) = 1.170
+        degrees of freedom. Pooled it were sqrt(10/3 (1/2 + 1/3)) = 1.67."""
+        for name, degrees in (("ore5-force", 40.0), ("ore5-force-seed2", 41.0), ("ore5-force-seed3", 42.0)):
+            write_test(self.folder, name, degrees)
+        self.assertIn("| coulomb: force | 3 | 41.0 ± 0.6 | +9.0 ± 2.1 |", self.show("choices"))
+        self.assertAlmostEqual(study.freedom_of((2.0, 1), (3 ** -0.5, 2)), 1.1696, places=4)
+        self.assertAlmostEqual(study.freedom_of((1.0, 5), (1.0, 5)), 10.0)
+        for freedom, share in ((1, 0.2952), (5, 0.1019), (11, 0.0708)):  # 1 - (2/pi) atan 2; tables of Student's t
+            self.assertAlmostEqual(study.beyond_two(freedom), share, places=4)
 
     def test_peaks_further_on(self):
         """Of four points, the last rises on by a tenth of 8 kPa + 43.84 kPa tan 30 degrees, and has no peak."""
