@@ -5,12 +5,13 @@
 
 #include "base/assert.h"
 #include "base/random.h"
+#include "calibrate/population.h"
 
 #define WANTED 0.3       ///< accepted share
 #define START_SCALE 0.05 ///< standard deviation of the first proposals
 #define FORGET 0.6       ///< the adaptation's steps fall as step^-0.6
+#define LEAPS 4          ///< steps along differences behind each normal step
 #define JITTER 1e-8      ///< added to the covariance's diagonal, so that it stays positive
-#define STARTS 500       ///< random places from which a chain's start is drawn
 
 /** One chain on its way. */
 typedef struct chain {
@@ -64,108 +65,92 @@ static void factor(chain *self)
     }
 }
 
-/** One of the options, all as likely. */
-static size_t draw_choice(chain *self)
+/** Mean and covariance of a population. */
+static void look_at(chain *self, const clod_population *population)
 {
-    const size_t at = (size_t)(uniform(self) * (double)self->setup->options);
-    return at < self->setup->options ? at : self->setup->options - 1;
-}
-
-static void draw_choices(chain *self)
-{
-    for (size_t k = 0; k < self->setup->choices; k++) {
-        self->chosen[k] = draw_choice(self);
+    const size_t d = self->setup->dimensions;
+    const double share = 1.0 / (double)population->count;
+    for (size_t m = 0; m < population->count; m++) {
+        for (size_t k = 0; k < d; k++) {
+            self->mean[k] += share * population->places[m * d + k];
+        }
+    }
+    for (size_t m = 0; m < population->count; m++) {
+        const double *place = population->places + m * d;
+        for (size_t i = 0; i < d; i++) {
+            for (size_t j = 0; j <= i; j++) {
+                self->covariance[i][j] +=
+                    share * (place[i] - self->mean[i]) * (place[j] - self->mean[j]);
+            }
+        }
     }
 }
 
-static void draw_place(chain *self, double *place)
-{
-    for (size_t k = 0; k < self->setup->dimensions; k++) {
-        place[k] = uniform(self);
-    }
-}
-
-/** Places so far, of which one is kept, each as likely as its density. */
-typedef struct urn {
-    double top; ///< the largest density so far
-    double sum; ///< of all densities over the largest
-} urn;
-
-/** Whether the next place takes the place of the one that was kept. One after the other, so that none but that needs
- *  to be kept. */
-static bool takes(chain *self, urn *from, double density, bool first)
-{
-    if (density > from->top) {
-        from->sum = from->top > -HUGE_VAL ? from->sum * exp(from->top - density) : 0.0;
-        from->top = density;
-    }
-    const double weight = from->top > -HUGE_VAL ? exp(density - from->top) : 0.0;
-    from->sum += weight;
-    return first || uniform(self) * from->sum < weight;
-}
-
-/** A start drawn from random places, each with its density as its weight: a chain that began anywhere could
- *  stay at a lesser summit far from all others. */
+/** Begin at a member of the population. */
 static void draw_start(chain *self)
 {
-    urn from = {-HUGE_VAL, 0.0};
-    self->density = -HUGE_VAL;
-    for (int tried = 0; tried < STARTS && !self->stopped; tried++) {
-        double place[CLOD_CHAIN_MOST];
-        draw_place(self, place);
-        const double density = density_at(self, place);
-        if (takes(self, &from, density, tried == 0)) {
-            memcpy(self->point, place, self->setup->dimensions * sizeof *place);
-            self->density = density;
-        }
+    const clod_chain_setup *setup = self->setup;
+    const clod_population *from = setup->population;
+    const size_t at = (size_t)(uniform(self) * (double)from->count) % from->count;
+    memcpy(self->point, from->places + at * setup->dimensions,
+           setup->dimensions * sizeof *self->point);
+    for (size_t k = 0; k < setup->choices; k++) {
+        self->chosen[k] = from->chosen[at * setup->choices + k];
     }
-}
-
-/** The same from the places of all chains, each with whole numbers of its own: they are the numbers of a chain behind
- *  the last one, so all chains have the same places. */
-static void draw_pooled_start(chain *self)
-{
-    chain all = {.setup = self->setup, .number = self->setup->chains, .chosen = self->chosen};
-    urn from = {-HUGE_VAL, 0.0};
-    uint64_t kept = 0; // where the random numbers of the place that is kept begin
-    self->density = -HUGE_VAL;
-    for (size_t tried = 0; tried < STARTS * self->setup->chains && !self->stopped; tried++) {
-        double place[CLOD_CHAIN_MOST];
-        const uint64_t begin = all.draw;
-        draw_choices(&all);
-        draw_place(&all, place);
-        const double density = density_at(self, place);
-        if (takes(self, &from, density, tried == 0)) {
-            self->density = density;
-            kept = begin;
-        }
-    }
-    all.draw = kept;
-    draw_choices(&all);
-    draw_place(&all, self->point);
+    self->density = from->density[at];
+    look_at(self, from);
 }
 
 static void start(chain *self)
 {
     const size_t d = self->setup->dimensions;
-    draw_choices(self);
-    if (self->setup->start != NULL) {
-        memcpy(self->point, self->setup->start, d * sizeof *self->point);
-        self->density = density_at(self, self->point);
-    } else if (self->setup->pooled) {
-        draw_pooled_start(self);
-    } else {
+    if (self->setup->population != NULL) {
         draw_start(self);
-    }
-    for (size_t k = 0; k < d; k++) {
-        self->mean[k] = self->point[k];
-        self->covariance[k][k] = START_SCALE * START_SCALE;
+    } else {
+        memcpy(self->point, self->setup->start, d * sizeof *self->point);
+        memcpy(self->mean, self->point, sizeof self->mean);
+        self->density = density_at(self, self->point);
+        for (size_t k = 0; k < d; k++) {
+            self->covariance[k][k] = START_SCALE * START_SCALE;
+        }
     }
     self->log_scale = log(2.38 * 2.38 / (double)d);
     factor(self);
 }
 
-/** Whether the step goes on to a new point; `chance` [out]: how likely it was. */
+/** Go on to a new point if it is likely enough. @param inside whether it is in the cube
+ *  @param chance [out] how likely it was */
+static bool go(chain *self, const double *next, bool inside, double *chance)
+{
+    const double density = inside ? density_at(self, next) : -HUGE_VAL;
+    *chance = density > -HUGE_VAL ? fmin(1.0, exp(density - self->density)) : 0.0;
+    if (uniform(self) >= *chance) {
+        return false;
+    }
+    memcpy(self->point, next, self->setup->dimensions * sizeof *next);
+    self->density = density;
+    return true;
+}
+
+/** A step along the difference of two members of the population: to another summit, along a ridge. */
+static void leap(chain *self)
+{
+    const clod_chain_setup *setup = self->setup;
+    double next[CLOD_CHAIN_MOST], chance;
+    const clod_population_dice dice = {uniform(self), uniform(self), uniform(self)};
+    const bool inside =
+        clod_population_propose(setup->population, setup->dimensions, &dice, self->point, next);
+    go(self, next, inside, &chance);
+}
+
+static void leap_on(chain *self)
+{
+    for (int k = 0; k < LEAPS && self->setup->population != NULL; k++) {
+        leap(self);
+    }
+}
+
+/** Whether the normal step goes on to a new point; `chance` [out]: how likely it was. */
 static bool advance(chain *self, double *chance)
 {
     const size_t d = self->setup->dimensions;
@@ -182,14 +167,14 @@ static bool advance(chain *self, double *chance)
         next[i] = self->point[i] + scale * move;
         inside = inside && next[i] > 0.0 && next[i] < 1.0;
     }
-    const double density = inside ? density_at(self, next) : -HUGE_VAL;
-    *chance = density > -HUGE_VAL ? fmin(1.0, exp(density - self->density)) : 0.0;
-    if (uniform(self) >= *chance) {
-        return false;
-    }
-    memcpy(self->point, next, d * sizeof *next);
-    self->density = density;
-    return true;
+    return go(self, next, inside, chance);
+}
+
+/** One of the options, all as likely. */
+static size_t draw_choice(chain *self)
+{
+    const size_t at = (size_t)(uniform(self) * (double)self->setup->options);
+    return at < self->setup->options ? at : self->setup->options - 1;
 }
 
 /** Draw the choice anew whose turn it is. */
@@ -238,6 +223,7 @@ static size_t run(chain *self, double *samples)
     start(self);
     for (size_t k = 0; k < setup->warm_up && !self->stopped; k++) {
         advance(self, &chance);
+        leap_on(self);
         choose(self);
         adapt(self, k, chance);
     }
@@ -248,6 +234,7 @@ static size_t run(chain *self, double *samples)
             self->chosen += setup->choices;
         }
         moved += advance(self, &chance) ? 1 : 0;
+        leap_on(self);
         choose(self);
         memcpy(samples + k * d, self->point, d * sizeof(double));
     }
@@ -258,6 +245,7 @@ bool clod_chain_run(const clod_chain_setup *setup, double *samples, size_t *chos
                     double *accepted)
 {
     CLOD_ASSERT(setup->dimensions >= 1 && setup->dimensions <= CLOD_CHAIN_MOST);
+    CLOD_ASSERT(setup->start != NULL || setup->population != NULL);
     CLOD_ASSERT(setup->choices == 0 || (chosen != NULL && setup->options > 0));
     size_t moved = 0;
     for (size_t c = 0; c < setup->chains; c++) {

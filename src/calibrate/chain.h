@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file chain.h
- * Samples of a probability density in the unit cube: adaptive Metropolis, several chains, and how well
- * they agree.
+ * Samples of a probability density in the unit cube: adaptive Metropolis with steps along the differences of a
+ * population, several chains, and how well they agree.
  */
 
 #include <stdbool.h>
@@ -24,9 +24,9 @@ typedef struct clod_chain_setup {
     size_t kept;    ///< samples of each chain
     size_t choices; ///< whole numbers that are sampled beside the point; mostly 0
     size_t options; ///< each of them is below this, and all are as likely before the density
-    const double *start; ///< where all chains begin; NULL: at random places
-    bool
-        pooled; ///< each chain begins at one of the random places of all chains; not with `start`
+    const double *start; ///< where all chains begin; NULL: at members of the population
+    const struct clod_population
+        *population; ///< of this density; NULL: no steps but the normal ones
     uint64_t seed;
     uint64_t stream; ///< of the first chain's random numbers; the next chain has the next one
     clod_chain_density density;
@@ -36,19 +36,17 @@ typedef struct clod_chain_setup {
 
 /**
  * Sample. Proposals are normal with the chain's own covariance, times a scale that brings the accepted
- * share near 0.3; both are found in the warm-up and fixed afterwards. Each chain starts at
- * one of many random places of its own, drawn by their densities, unless `start` is given; with `pooled` at one of as many
- * random places a chain, each with whole numbers of its own, that all chains draw from: where one place is likelier than
- * all others by far, all begin there. After each step of the point one of
- * the whole numbers is drawn anew and accepted by the ratio of the densities, each in its turn.
+ * share near 0.3; both are found in the warm-up and fixed afterwards. With a population each chain starts at a member of
+ * it, and each normal step is followed by four along differences of two members: to another summit, or along a ridge.
+ * Then one of the whole numbers is drawn anew and accepted by the ratio of the densities, each in its turn.
  *
  * @param samples   [out] [chains][kept][dimensions]
  * @param chosen    [out] [chains][kept][choices]; NULL without choices
- * @param accepted  [out] share of accepted steps after the warm-up, of all chains
+ * @param accepted  [out] share of accepted normal steps after the warm-up, of all chains
  * @return  false when `stop` was asked for; the samples are then of no use
  * Errors  none.   Threads  safe.
  * Source  Haario, Saksman and Tamminen, Bernoulli 7 (2001) 223; Andrieu and Thoms, Stat. Comput. 18 (2008)
- *         343, algorithm 4.
+ *         343, algorithm 4; along differences: ter Braak and Vrugt, Stat. Comput. 18 (2008) 435.
  * Test    tests/calibrate/test_chain.c
  */
 bool clod_chain_run(const clod_chain_setup *setup, double *samples, size_t *chosen,

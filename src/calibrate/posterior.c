@@ -6,10 +6,11 @@
 
 #include "base/memory.h"
 #include "calibrate/chain.h"
+#include "calibrate/population.h"
 #include "calibrate/posterior_look.h"
 
 #define WARM_UP 2000
-#define ANEW 100           ///< first stream of the chains that start anew
+#define MEMBERS 2000       ///< of the population that chains begin at
 #define DRAWN 1000000      ///< first stream of what surrogates of used targets do not know
 #define DRAWN_BACK 2000000 ///< and of those held back
 
@@ -179,7 +180,19 @@ static bool relate(const clod_posterior_runs *runs, clod_posterior *self, clod_s
            clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
 }
 
-/** Sample; once more from common starts, where chains lie apart. */
+/** Chains from a population, and whether they went wherever it is. */
+static bool walk(clod_chain_setup *setup, clod_posterior *self, clod_status *status)
+{
+    clod_population population;
+    bool good = clod_population_create(setup, MEMBERS, &population, status);
+    setup->population = &population;
+    good = good && (clod_chain_run(setup, self->samples, self->chosen, &self->accepted) ||
+                    clod_stop_fail(status));
+    self->missed = good ? clod_posterior_look_missed(self, population.places, MEMBERS) : 0.0;
+    clod_population_fini(&population);
+    return good;
+}
+
 static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
 {
     const clod_plan *plan = runs->plan;
@@ -197,17 +210,13 @@ static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_s
                               .density = log_density,
                               .context = &of,
                               .stop = runs->stop};
-    bool done = good && clod_chain_run(&setup, self->samples, self->chosen, &self->accepted);
-    if (done && clod_posterior_look_apart(self)) { // a chain may stay where it began
-        setup.pooled = true;
-        setup.stream = ANEW;
-        done = clod_chain_run(&setup, self->samples, self->chosen, &self->accepted);
-    }
+    const bool done =
+        good ? walk(&setup, self, status)
+             : clod_status_fail(status, CLOD_FAILED, "No memory for the Markov chains.");
     clod_memory_free(of.told);
     clod_memory_free(of.room);
     clod_memory_free(of.misfit_room);
-    return good ? done || clod_stop_fail(status)
-                : clod_status_fail(status, CLOD_FAILED, "No memory for the Markov chains.");
+    return done;
 }
 
 clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_status *status)
@@ -226,13 +235,14 @@ clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_stat
     self->parameters = clod_memory_alloc(d, sizeof *self->parameters);
     self->correlation = clod_memory_alloc(d * d, sizeof(double));
     self->samples = clod_memory_alloc(self->count * d, sizeof(double));
+    self->card = clod_memory_alloc(d, sizeof(double));
     for (size_t t = 0; t < plan->target_count && self->targets != NULL; t++) {
         self->targets[t].held_back = plan->targets[t].held_back;
         self->used += plan->targets[t].held_back ? 0 : 1;
     }
     self->chosen = clod_memory_alloc(self->count * self->used, sizeof *self->chosen);
     bool good = self->targets != NULL && self->chosen != NULL && self->parameters != NULL &&
-                self->correlation != NULL && self->samples != NULL;
+                self->correlation != NULL && self->samples != NULL && self->card != NULL;
     if (!good) {
         self->target_count = self->targets == NULL ? 0 : self->target_count;
         clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
@@ -261,6 +271,7 @@ void clod_posterior_destroy(clod_posterior **self)
     clod_memory_free((*self)->parameters);
     clod_memory_free((*self)->correlation);
     clod_memory_free((*self)->samples);
+    clod_memory_free((*self)->card);
     clod_memory_free((*self)->chosen);
     clod_memory_free(*self);
     *self = NULL;

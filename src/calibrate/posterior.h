@@ -40,6 +40,7 @@ typedef struct clod_posterior_target {
     double mean; ///< of the model, over the posterior; this and the next: NAN without surrogate
     double low, high; ///< interval of what a laboratory would measure
     double off;       ///< (measured - mean) over its standard deviation
+    double at_card;   ///< of the model, at the place of the card; NAN as the mean
 } clod_posterior_target;
 
 /** All in [0, 1] of the range. */
@@ -61,13 +62,16 @@ typedef struct clod_posterior {
     clod_posterior_parameter *parameters; ///< [dimensions] owned
     double *correlation;                  ///< [dimensions][dimensions] owned
     double *samples;                      ///< [count][dimensions] owned
-    size_t *chosen; ///< [count][used] draws of the used targets' surrogates, in order; owned
+    double *card;      ///< [dimensions] owned; one place near the means that meets the targets
+    bool card_is_mean; ///< it is that of the means
+    size_t *chosen;    ///< [count][used] draws of the used targets' surrogates, in order; owned
     size_t count;
     double accepted;
+    double missed;              ///< share of the population that lies beyond all samples
     double chi_square, p_value; ///< posterior predictive, of the targets that are used
     size_t used;                ///< targets
     bool
-        apart; ///< chains lie apart, also from common starts: numbers of parameters and targets are NAN, but for R-hat,
+        apart; ///< chains lie apart, or leave out a part of their population: numbers of parameters and targets are NAN, but for R-hat,
     ///< effective and what is known without samples; p and chi-square are the means over all chains
     bool predictive;     ///< the surrogate of one at least predicts points that are left out
     clod_misfit *misfit; ///< owned

@@ -14,9 +14,12 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "calibrate/chain.h"
+#include "calibrate/posterior_card.h"
 
 #define LOOKED 2000 ///< samples at which the targets are predicted
 #define EDGE 0.05
+#define MISSED                                                                                 \
+    0.05 ///< share of a population that chains may leave out: what is behind an interval of 90 %
 #define ALONG 21  ///< places along the range of a parameter
 #define DICE 1000 ///< stream of random numbers beside those of the chains
 
@@ -61,9 +64,26 @@ static clod_chain_series series_of(const clod_posterior *self, size_t k)
                                self->count / CLOD_POSTERIOR_CHAINS, self->dimensions};
 }
 
-bool clod_posterior_look_apart(const clod_posterior *self)
+double clod_posterior_look_missed(const clod_posterior *self, const double *places,
+                                  size_t count)
 {
-    bool apart = false;
+    const size_t d = self->dimensions;
+    double most = 0.0;
+    for (size_t k = 0; k < d; k++) {
+        double low, high, missed = 0.0;
+        gsl_stats_minmax(&low, &high, self->samples + k, d, self->count);
+        for (size_t m = 0; m < count; m++) {
+            missed += places[m * d + k] < low || places[m * d + k] > high ? 1.0 : 0.0;
+        }
+        most = fmax(most, missed / (double)count);
+    }
+    return most;
+}
+
+/** Whether chains lie apart, or did not go where their population is. */
+static bool look_apart(const clod_posterior *self)
+{
+    bool apart = self->missed > MISSED;
     for (size_t k = 0; k < self->dimensions; k++) {
         const clod_chain_series series = series_of(self, k);
         apart = apart || !(clod_chain_rhat(&series) <= CLOD_POSTERIOR_APART);
@@ -201,14 +221,14 @@ static void take_back(clod_posterior *self)
     for (size_t k = 0; k < d; k++) {
         clod_posterior_parameter *one = &self->parameters[k];
         one->mean = one->deviation = one->low = one->high = (double)NAN;
-        one->width = one->moved = (double)NAN;
+        one->width = one->moved = self->card[k] = (double)NAN;
         for (size_t m = 0; m < d; m++) {
             self->correlation[k * d + m] = k == m ? 1.0 : (double)NAN;
         }
     }
     for (size_t t = 0; t < self->target_count; t++) {
         clod_posterior_target *one = &self->targets[t];
-        one->mean = one->off = one->low = one->high = (double)NAN;
+        one->mean = one->off = one->low = one->high = one->at_card = (double)NAN;
     }
 }
 
@@ -234,11 +254,13 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
     for (size_t t = 0; t < self->target_count; t++) {
         predict(plan, self, t, at);
     }
-    self->apart = clod_posterior_look_apart(self);
+    self->apart = look_apart(self);
     if (self->apart) {
         take_back(self);
+        return true;
     }
-    return true;
+    const clod_posterior_sight card = {at->looked, at->told, at->variances, at->room};
+    return clod_posterior_card_choose(plan, &card, self, status);
 }
 
 bool clod_posterior_look(const clod_posterior_runs *runs, clod_posterior *self,

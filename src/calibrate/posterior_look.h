@@ -11,8 +11,10 @@
 void clod_posterior_look_ask(const clod_posterior *self, const double *place,
                              const size_t *chosen, clod_surrogate_value *told, double *room);
 
-/** Whether the chains lie apart: R-hat of a parameter is above CLOD_POSTERIOR_APART. */
-bool clod_posterior_look_apart(const clod_posterior *self);
+/** Share of a population that lies outside the range of all samples, of the parameter where it is largest.
+ *  @param places [count][dimensions] */
+double clod_posterior_look_missed(const clod_posterior *self, const double *places,
+                                  size_t count);
 
 /**
  * Look at the samples of a posterior: parameters, correlations, targets, chi-square and p.

@@ -5,6 +5,7 @@
 
 #include "base/plural.h"
 #include "base/text.h"
+#include "calibrate/posterior_card.h"
 
 #define SAMPLES 1000 // of posterior.csv
 #define CONTRADICTION 0.05
@@ -40,7 +41,9 @@ clod_result_identified clod_result_identified_of(const clod_posterior *self, siz
     if (clod_result_missed(self)) {
         return CLOD_RESULT_MISSED;
     }
-    if (!(of->width < WEAKLY_TOLD && of->moved > MOVED)) {
+    clod_posterior_split split;
+    if (!(of->width < WEAKLY_TOLD && of->moved > MOVED) ||
+        clod_posterior_is_split(self, k, &split)) {
         return CLOD_RESULT_NOT_IDENTIFIED;
     }
     return of->width < TOLD && self->predictive ? CLOD_RESULT_IDENTIFIED : CLOD_RESULT_WEAKLY;
@@ -102,9 +105,10 @@ static void warn_apart(clod_result *self)
     const size_t k = most_apart(from);
     clod_warning_list_add(
         &self->warnings,
-        "The Markov chains lie apart (R-hat %.3g of %s, above %.2g), also when they begin anew at places that they have "
-        "in common: there is no result, and no mean, interval or value of the card is told. %s",
+        "The Markov chains lie apart (R-hat %.3g of %s, above %.2g; %.0f %% of the places that they begin at and step "
+        "between are beyond all samples): there is no result, and no mean, interval or value of the card is told. %s",
         from->parameters[k].rhat, self->plan->parameters[k].name, CLOD_POSTERIOR_APART,
+        100.0 * from->missed,
         from->p_value < CONTRADICTION / CLOD_POSTERIOR_CHAINS
             ? "All of them miss the targets (posterior predictive p below 0.05), which contradict each other or are out of "
               "reach of the model within these ranges: look at the measurements, widen ranges, free another parameter, or "
@@ -232,9 +236,37 @@ static void warn_chains(clod_result *self, size_t k)
     }
 }
 
+/** Answers that lie apart, and a card that is not of the means. */
+static void warn_card(clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    for (size_t k = 0; k < from->dimensions; k++) {
+        char below[64], above[64];
+        clod_posterior_split split;
+        const clod_plan_parameter *of = &self->plan->parameters[k];
+        if (clod_posterior_is_split(from, k, &split)) {
+            clod_warning_list_add(
+                &self->warnings,
+                "The targets allow separate answers: %s near %s (%.0f %% of the samples) or near %s, and next to nothing "
+                "between them, where the mean may be. Give another target that tells them apart, or narrower ranges.",
+                of->name, clod_result_number(of, split.below, below, sizeof below),
+                100.0 * split.share, clod_result_number(of, split.above, above, sizeof above));
+        }
+    }
+    if (!from->card_is_mean) {
+        clod_warning_list_add(
+            &self->warnings,
+            "The means of the parameters together miss the targets, as on a bent ridge or between separate answers, so the "
+            "card is not of them: it has a sample of the posterior near them that meets the targets (column card).");
+    }
+}
+
 static void warn_parameters(clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
+    if (!from->apart) {
+        warn_card(self);
+    }
     for (size_t k = 0; k < from->dimensions; k++) {
         const clod_posterior_parameter *one = &from->parameters[k];
         const char *name = self->plan->parameters[k].name;

@@ -46,7 +46,6 @@ typedef struct card {
     const clod_result *result;
     entry *entries; ///< [count] owned
     size_t count;
-    double means[CLOD_PLAN_PARAMETERS];
 } card;
 
 /** All keys of all parameters; false without memory. */
@@ -56,7 +55,6 @@ static bool collect(card *self)
     size_t room = 0;
     for (size_t k = 0; k < plan->parameter_count; k++) {
         room += 1 + plan->parameters[k].multiple_count;
-        self->means[k] = self->result->study->posterior->parameters[k].mean;
     }
     self->entries = clod_memory_alloc(room, sizeof *self->entries);
     for (size_t k = 0; k < plan->parameter_count && self->entries != NULL; k++) {
@@ -95,7 +93,8 @@ static void put_reason(FILE *out, const clod_result *self, const entry *of)
         return;
     }
     if (parameter->base != NULL) {
-        fprintf(out, "%.4g times %s; ", clod_plan_number(parameter, one->mean),
+        fprintf(out, "%.4g times %s; ",
+                clod_plan_number(parameter, self->study->posterior->card[k]),
                 parameter->base->key);
     }
     fprintf(out, "%.3g %%: %s to %s%s", 100.0 * self->plan->sampling.level,
@@ -115,9 +114,10 @@ static void put_value(FILE *out, const card *self, const entry *of, size_t depth
     const clod_plan *plan = self->result->plan;
     const char *unit = clod_plan_key_unit(&plan->parameters[of->parameter]);
     const char *dot = strrchr(of->key, '.');
-    fprintf(out, "%*s%s: %.4g%s%s # ", (int)(2 * depth), "", dot == NULL ? of->key : dot + 1,
-            clod_plan_key_value(plan, of->parameter, of->m, self->means),
-            unit[0] == '\0' ? "" : " ", unit);
+    fprintf(
+        out, "%*s%s: %.4g%s%s # ", (int)(2 * depth), "", dot == NULL ? of->key : dot + 1,
+        clod_plan_key_value(plan, of->parameter, of->m, self->result->study->posterior->card),
+        unit[0] == '\0' ? "" : " ", unit);
     put_reason(out, self->result, of);
     fputc('\n', out);
 }
@@ -170,7 +170,10 @@ static void put_use(FILE *out, const clod_result *self)
     const clod_plan *plan = self->plan;
     put_comment(
         out,
-        "Means, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.",
+        "%s, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.",
+        self->study->posterior->card_is_mean
+            ? "Means"
+            : "A sample near the means, which together miss the targets",
         100.0 * plan->sampling.level);
     put_comment(out, "Use it: include: card.yaml in a case, which then must not give these "
                      "keys itself; or --set include=card.yaml, which replaces them.");

@@ -36,6 +36,7 @@ static json_t *parameter(const clod_result *self, size_t k)
         CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(from, k)], "rhat",
         clod_json_number(one->rhat), "effective_samples", clod_json_number(one->effective),
         "correlations", tied);
+    json_object_set_new(made, "card", clod_json_number(clod_plan_number(of, from->card[k])));
     if (of->multiple_count > 0) {
         json_t *multiples = json_object();
         for (size_t m = 1; m <= of->multiple_count; m++) {
@@ -131,6 +132,7 @@ static json_t *target(const clod_result *self, size_t t)
                   clod_json_number(f * one->mean), "low", clod_json_number(f * one->low),
                   "high", clod_json_number(f * one->high), "off", clod_json_number(one->off),
                   "surrogate", one->surrogate != NULL ? surrogate(self, t) : json_null());
+    json_object_set_new(made, "card", clod_json_number(f * one->at_card));
     if (of->normal_stress > 0.0) {
         json_object_set_new(made, "normal_stress_Pa", clod_json_number(of->normal_stress));
     }
@@ -164,6 +166,7 @@ char *clod_result_json(const clod_result *self)
         clod_json_number(from->chi_square), "p_value", clod_json_number(from->p_value),
         "accepted", clod_json_number(from->accepted), "parameters", parameters, "targets",
         targets, "warnings", warnings);
+    json_object_set_new(all, "card_is_mean", json_boolean(from->card_is_mean && !from->apart));
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

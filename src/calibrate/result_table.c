@@ -45,8 +45,10 @@ static void put_parameters(FILE *out, const clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
     const double tail = 50.0 * (1.0 - self->plan->sampling.level);
-    fprintf(out, "\nParameters\n  %-16s %12s %11.3g %% %10.3g %%  %-10s %6s  %-10s %7s %8s\n",
-            "", "mean", tail, 100.0 - tail, "unit", "width", "identified", "R-hat", "samples");
+    fprintf(out,
+            "\nParameters\n  %-16s %12s %11.3g %% %10.3g %% %12s  %-10s %6s  %-10s %7s %8s\n",
+            "", "mean", tail, 100.0 - tail, "card", "unit", "width", "identified", "R-hat",
+            "samples");
     for (size_t k = 0; k < from->dimensions; k++) {
         const clod_posterior_parameter *one = &from->parameters[k];
         const clod_plan_parameter *of = &self->plan->parameters[k];
@@ -54,6 +56,7 @@ static void put_parameters(FILE *out, const clod_result *self)
         put_number(out, 12, CLOD_PLAN_FIGURES, clod_plan_number(of, one->mean));
         put_number(out, 14, CLOD_PLAN_FIGURES, clod_plan_number(of, one->low));
         put_number(out, 13, CLOD_PLAN_FIGURES, clod_plan_number(of, one->high));
+        put_number(out, 13, CLOD_PLAN_FIGURES, clod_plan_number(of, from->card[k]));
         fprintf(out, "  %-10s ", of->unit);
         put_number(out, 6, 2, one->width);
         fprintf(out, "  %-10s %7.3f %8.0f\n",
@@ -62,7 +65,7 @@ static void put_parameters(FILE *out, const clod_result *self)
     }
     fputs(
         "  width: of the interval over that of the range as given; 1: the targets tell nothing.\n"
-        "  Of a range with scale: log the mean is that of the logarithm.\n",
+        "  Of a range with scale: log the mean is that of the logarithm. card: what card.yaml has.\n",
         out);
     if (from->apart) {
         fputs("  apart: the Markov chains lie apart, so there is no mean and no interval.\n",
@@ -98,9 +101,9 @@ static void put_target(FILE *out, const clod_result *self, size_t t)
 {
     const clod_plan_target *of = &self->plan->targets[t];
     const clod_posterior_target *one = &self->study->posterior->targets[t];
-    const double values[] = {of->value, of->error, of->discrepancy,
-                             one->mean, one->low,  one->high};
-    static const int WIDTHS[] = {10, 8, 8, 10, 10, 10};
+    const double values[] = {of->value, of->error, of->discrepancy, one->mean,
+                             one->low,  one->high, one->at_card};
+    static const int WIDTHS[] = {10, 8, 8, 10, 10, 10, 10};
     fprintf(out, "  %-34s", of->name);
     for (size_t k = 0; k < sizeof values / sizeof values[0]; k++) {
         char text[CELL];
@@ -124,9 +127,10 @@ static void put_targets(FILE *out, const clod_result *self, bool held_back, cons
         }
         if (!begun) {
             const double tail = 50.0 * (1.0 - self->plan->sampling.level);
-            fprintf(out, "\n%s\n  %-34s %10s %8s %8s %10s %8.3g %% %8.3g %%  %-6s %-4s %5s\n",
+            fprintf(out,
+                    "\n%s\n  %-34s %10s %8s %8s %10s %8.3g %% %8.3g %% %10s  %-6s %-4s %5s\n",
                     title, "", "measured", "error", "discr.", "model", tail, 100.0 - tail,
-                    "unit", "in", "off");
+                    "card", "unit", "in", "off");
             begun = true;
         }
         put_target(out, self, t);
@@ -209,8 +213,8 @@ char *clod_result_table(const clod_result *self)
     put_targets(out, self, true, "Targets that were held back, predicted");
     fprintf(
         out,
-        "  %.3g %% interval of what a laboratory would measure; off: (measured - model) over "
-        "its deviation.\n  chi-square %.3g of %zu, posterior predictive p = %.2g\n",
+        "  %.3g %% interval of what a laboratory would measure; card: the model at the values of card.yaml;\n"
+        "  off: (measured - model) over its deviation.\n  chi-square %.3g of %zu, posterior predictive p = %.2g\n",
         100.0 * self->plan->sampling.level, from->chi_square, from->used, from->p_value);
     put_surrogates(out, self);
     return clod_text_close(&text);

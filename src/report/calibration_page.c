@@ -149,7 +149,9 @@ static void put_targets(FILE *out, const json_t *result, bool held_back, const c
         }
         if (!begun) {
             fprintf(out, "<h3>%s</h3>\n", title);
-            put_heads(out, "target|measured|discrepancy|model|interval|off, in deviations");
+            put_heads(
+                out,
+                "target|measured|discrepancy|model|interval|at the card's values|off, in deviations");
         }
         begun = true;
         put_name(out, name_of(target), target);
@@ -159,6 +161,7 @@ static void put_targets(FILE *out, const json_t *result, bool held_back, const c
         put_number(out, target, "discrepancy", (double)NAN);
         put_number(out, target, "model", half_of(target));
         put_interval(out, target);
+        put_number(out, target, "card", half_of(target));
         put_number(out, target, "off", 0.1);
         fputs("</tr>\n", out);
     }
@@ -169,14 +172,16 @@ static void put_parameters(FILE *out, const json_t *result)
 {
     const char *name;
     const json_t *one;
-    put_heads(out,
-              "parameter|mean|interval|prior range|scale|width over the range's|identified by "
-              "the targets|R-hat|independent samples");
+    put_heads(
+        out,
+        "parameter|mean|interval|on the card|prior range|scale|width over the range's|identified by "
+        "the targets|R-hat|independent samples");
     json_object_foreach(json_object_get(result, "parameters"), name, one)
     {
         put_name(out, name, one);
         put_number(out, one, "mean", half_of(one));
         put_interval(out, one);
+        put_number(out, one, "card", half_of(one));
         fprintf(out, "<td>%.4g&nbsp;to&nbsp;%.4g</td>", clod_shear_number(one, "from"),
                 clod_shear_number(one, "to"));
         put_word(out, one, "scale");

@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "calibrate/chain.h"
+#include "calibrate/population.h"
 #include "support/check.h"
 
 #define CHAINS 4
@@ -25,6 +26,17 @@ static double gaussian(void *context, const double *u, const size_t *choices)
 }
 
 static double samples[CHAINS * KEPT][2];
+
+/** Chains from a population. */
+static void run(clod_chain_setup *setup, size_t *chosen, double *accepted)
+{
+    clod_population population;
+    clod_status status;
+    assert_true(clod_population_create(setup, 2000, &population, &status));
+    setup->population = &population;
+    assert_true(clod_chain_run(setup, samples[0], chosen, accepted));
+    clod_population_fini(&population);
+}
 
 static double mean_of(int k)
 {
@@ -54,14 +66,14 @@ static clod_chain_series series_of(int k)
 static void a_gaussian_has_its_moments(void **state)
 {
     (void)state;
-    const clod_chain_setup setup = {.dimensions = 2,
-                                    .chains = CHAINS,
-                                    .warm_up = 2000,
-                                    .kept = KEPT,
-                                    .seed = 3,
-                                    .density = gaussian};
+    clod_chain_setup setup = {.dimensions = 2,
+                              .chains = CHAINS,
+                              .warm_up = 2000,
+                              .kept = KEPT,
+                              .seed = 3,
+                              .density = gaussian};
     double accepted;
-    clod_chain_run(&setup, samples[0], NULL, &accepted);
+    run(&setup, NULL, &accepted);
     assert_true(accepted > 0.2 && accepted < 0.4);
     for (int k = 0; k < 2; k++) {
         const clod_chain_series series = series_of(k);
@@ -86,14 +98,14 @@ static double flat(void *context, const double *u, const size_t *choices)
 static void edges_are_kept(void **state)
 {
     (void)state;
-    const clod_chain_setup setup = {.dimensions = 2,
-                                    .chains = CHAINS,
-                                    .warm_up = 2000,
-                                    .kept = KEPT,
-                                    .seed = 4,
-                                    .density = flat};
+    clod_chain_setup setup = {.dimensions = 2,
+                              .chains = CHAINS,
+                              .warm_up = 2000,
+                              .kept = KEPT,
+                              .seed = 4,
+                              .density = flat};
     double accepted;
-    clod_chain_run(&setup, samples[0], NULL, &accepted);
+    run(&setup, NULL, &accepted);
     for (int i = 0; i < CHAINS * KEPT; i++) {
         assert_true(samples[i][0] > 0.25 && samples[i][0] < 1.0);
         assert_true(samples[i][1] > 0.0 && samples[i][1] < 1.0);
@@ -125,7 +137,7 @@ static void no_chain_stays_at_a_lesser_summit(void **state)
                               .density = two_summits};
     for (setup.seed = 1; setup.seed <= 5; setup.seed++) {
         double accepted;
-        clod_chain_run(&setup, samples[0], NULL, &accepted);
+        run(&setup, NULL, &accepted);
         int low = 0;
         for (int i = 0; i < CHAINS * KEPT; i++) {
             low += samples[i][0] < 0.5 ? 1 : 0;
@@ -134,44 +146,67 @@ static void no_chain_stays_at_a_lesser_summit(void **state)
     }
 }
 
-/** A wide hill about (0.3, 0.3), and a needle about (0.85, 0.85) with all of the mass but 1e-14. A place of the needle is
- *  likelier than 1000 of the hill's top within 0.0035 sqrt(2 (40 - log 1000)) = 0.0285: of 500 random places none is there in
- *  exp(-500 pi 0.0285^2) = 0.28 of all tries, of 2000 in 0.006. */
-static double hill_and_needle(void *context, const double *u, const size_t *choices)
+/** Two summits of the same weight, the second three times as wide. Four chains that never change from one to the other would
+ *  all lie at one of them in one of eight seeds, and tell one answer for certain. */
+static double two_answers(void *context, const double *u, const size_t *choices)
 {
     (void)context;
     (void)choices;
-    const double a = hypot(u[0] - 0.85, u[1] - 0.85) / 0.0035;
-    const double b = hypot(u[0] - 0.3, u[1] - 0.3) / 0.1;
-    return fmax(40.0 - 0.5 * a * a, -0.5 * b * b);
+    const double a = (u[0] - 0.2) / 0.015;
+    const double b = (u[0] - 0.7) / 0.045;
+    return fmax(-0.5 * a * a, -log(3.0) - 0.5 * b * b); // next to nothing where they are alike
 }
 
-/** Seeds of ten whose chains lie apart. */
-static int seeds_apart(bool pooled)
+static void chains_go_from_one_answer_to_the_other(void **state)
 {
+    (void)state;
     clod_chain_setup setup = {.dimensions = 2,
                               .chains = CHAINS,
                               .warm_up = 2000,
-                              .kept = 1000,
-                              .pooled = pooled,
-                              .density = hill_and_needle};
-    int apart = 0;
-    for (setup.seed = 1; setup.seed <= 10; setup.seed++) {
+                              .kept = KEPT,
+                              .density = two_answers};
+    for (setup.seed = 1; setup.seed <= 50; setup.seed++) {
         double accepted;
-        clod_chain_run(&setup, samples[0], NULL, &accepted);
-        const clod_chain_series series = {samples[0], CHAINS, 1000, 2};
-        apart += clod_chain_rhat(&series) > 1.5 ? 1 : 0;
+        run(&setup, NULL, &accepted);
+        for (int c = 0; c < CHAINS; c++) {
+            double share = 0.0;
+            for (int i = 0; i < KEPT; i++) {
+                share += samples[c * KEPT + i][0] < 0.45 ? 1.0 / KEPT : 0.0;
+            }
+            check_close(share, 0.5, 0.15);
+        }
+        const clod_chain_series series = series_of(0);
+        check_at_most(clod_chain_rhat(&series), 1.05);
     }
-    return apart;
 }
 
-/** By their own places all four chains begin in the needle in 0.72^4 = 0.27 of the seeds, and none in 0.006; by those of all
- *  chains all do in 0.994. */
-static void chains_from_pooled_places_agree(void **state)
+/** A ring of radius 0.3, 0.006 wide: normal steps, which are as wide as all of it, meet it seldom. */
+static double ring(void *context, const double *u, const size_t *choices)
+{
+    (void)context;
+    (void)choices;
+    const double away = (hypot(u[0] - 0.5, u[1] - 0.5) - 0.3) / 0.006;
+    return -0.5 * away * away;
+}
+
+static void a_bent_ridge_is_walked_along(void **state)
 {
     (void)state;
-    assert_true(seeds_apart(false) >= 5);
-    assert_true(seeds_apart(true) == 0);
+    clod_chain_setup setup = {.dimensions = 2,
+                              .chains = CHAINS,
+                              .warm_up = 2000,
+                              .kept = KEPT,
+                              .seed = 7,
+                              .density = ring};
+    double accepted;
+    run(&setup, NULL, &accepted);
+    for (int k = 0; k < 2; k++) {
+        const clod_chain_series series = series_of(k);
+        assert_true(clod_chain_effective(&series) > 400.0);
+        check_at_most(clod_chain_rhat(&series), 1.05);
+        check_close(mean_of(k), 0.5, 0.05);
+        check_relative(product_of(k, k), 0.045, 0.1);
+    }
 }
 
 /** x = a x + sqrt(1 - a^2) e has n (1 - a)/(1 + a) independent values in n. */
@@ -243,16 +278,16 @@ static size_t chosen[CHAINS * KEPT][CHOICES];
 static void choices_are_as_frequent_as_their_weights(void **state)
 {
     (void)state;
-    const clod_chain_setup setup = {.dimensions = 2,
-                                    .chains = CHAINS,
-                                    .warm_up = 2000,
-                                    .kept = KEPT,
-                                    .choices = CHOICES,
-                                    .options = OPTIONS,
-                                    .seed = 5,
-                                    .density = where_chosen};
+    clod_chain_setup setup = {.dimensions = 2,
+                              .chains = CHAINS,
+                              .warm_up = 2000,
+                              .kept = KEPT,
+                              .choices = CHOICES,
+                              .options = OPTIONS,
+                              .seed = 5,
+                              .density = where_chosen};
     double accepted;
-    assert_true(clod_chain_run(&setup, samples[0], chosen[0], &accepted));
+    run(&setup, chosen[0], &accepted);
     double share[CHOICES][OPTIONS] = {{0.0}};
     for (int i = 0; i < CHAINS * KEPT; i++) {
         for (int k = 0; k < CHOICES; k++) {
@@ -282,44 +317,14 @@ static void a_chain_begins_where_it_is_told(void **state)
     check_close(samples[0][1], 0.1, 0.1);
 }
 
-/** Only with these whole numbers there is a density at all. */
-static double with_two_and_three(void *context, const double *u, const size_t *choices)
-{
-    (void)context;
-    const double x = (u[0] - 0.4) / 0.05;
-    return choices[0] == 2 && choices[1] == 3 && choices[2] == 1 ? -0.5 * x * x : -HUGE_VAL;
-}
-
-/** A pooled start has the whole numbers of its place: a chain with others would have no density and never find it. */
-static void a_pooled_start_has_its_choices(void **state)
-{
-    (void)state;
-    const clod_chain_setup setup = {.dimensions = 2,
-                                    .chains = CHAINS,
-                                    .warm_up = 500,
-                                    .kept = 1000,
-                                    .choices = CHOICES,
-                                    .options = OPTIONS,
-                                    .seed = 6,
-                                    .pooled = true,
-                                    .density = with_two_and_three};
-    double accepted;
-    clod_chain_run(&setup, samples[0], chosen[0], &accepted);
-    assert_true(accepted > 0.2);
-    for (int i = 0; i < CHAINS * 1000; i++) {
-        assert_true(chosen[i][0] == 2 && chosen[i][1] == 3 && chosen[i][2] == 1);
-        assert_true(fabs(samples[i][0] - 0.4) < 0.3);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_gaussian_has_its_moments),
         cmocka_unit_test(edges_are_kept),
         cmocka_unit_test(no_chain_stays_at_a_lesser_summit),
-        cmocka_unit_test(chains_from_pooled_places_agree),
-        cmocka_unit_test(a_pooled_start_has_its_choices),
+        cmocka_unit_test(chains_go_from_one_answer_to_the_other),
+        cmocka_unit_test(a_bent_ridge_is_walked_along),
         cmocka_unit_test(effective_number_of_a_known_series),
         cmocka_unit_test(chains_that_disagree_are_seen),
         cmocka_unit_test(chains_that_never_moved_do_not_agree),
