@@ -37,6 +37,9 @@ void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
 /** Those of one shear test (plan_conflicts_shear.c). */
 void clod_plan_conflicts_shear(clod_loader *loader, const clod_plan *self);
 
+/** Stresses far beyond the preshear stress of their test (plan_conflicts_unit.c). */
+void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self);
+
 /** Warn of targets that are possible and hardly meant: an error above its value, a solid that gets weaker by
  *  consolidation, or is denser at the walls of a cell; of a plan without complaints (plan_doubts.c). */
 void clod_plan_warn_doubts(clod_plan *self);

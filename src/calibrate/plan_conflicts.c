@@ -204,6 +204,7 @@ static void check_density(clod_loader *loader, const clod_plan *self)
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self)
 {
     clod_plan_conflicts_shear(loader, self);
+    clod_plan_conflicts_unit(loader, self);
     check_twice(loader, self);
     check_tables(loader, self);
     clod_plan_loci_check(loader, self);
