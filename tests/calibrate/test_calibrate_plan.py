@@ -350,7 +350,7 @@ sampling: {samples: 1000}
         self.assertIn("it is not predicted", done.stderr)
         self.assertIn("bounce: coordination was held back and cannot be predicted: 0 of 6 runs have this number",
                       " ".join(done.stdout.split()))
-        self.assertEqual(self.table(done.stdout)["bounce: coordination"], ["4", "1", "0", "-", "-", "-", "-", "-"])
+        self.assertEqual(self.table(done.stdout)["bounce: coordination"], ["4", "1", "0", "-", "-", "-", "-", "-", "-"])
         with open(self.path("out/calibration.json")) as file:
             found = json.load(file)
         self.assertEqual(found["parameters"], before)
