@@ -16,8 +16,9 @@
 bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size);
 
 /**
- * Whether grains sink so deep between the ridges of a straight plate that it bore more than the solid's
- * own strength, where a ring does not. Then `text` says so and what to do.
+ * Whether the plate of a straight cell can bear more than the solid's own strength, where a ring's does not:
+ * grains sink deep between its ridges, or its friction is not below that of the grains. Then `text` says so
+ * and what to do.
  * Source  docs/results/wall-roughness.md.
  */
 bool clod_wall_shear_rough(const clod_case *from, char *text, size_t size);

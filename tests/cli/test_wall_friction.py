@@ -189,6 +189,16 @@ class Check(clod.Case):
         lever = self.warnings("wall_friction.seeds=1", case=ring)
         self.assertIn("an error of the lever", " ".join(lever))
 
+    def test_a_plate_no_smoother_than_the_grains_needs_a_ring(self):
+        """Grains of friction 0.5: a straight cell measures such a plate, a ring the solid on it."""
+        told = lambda friction, case: [w for w in self.warnings(f"contacts.ore-plate.friction={friction}", case=case)
+                                       if "not smoother than the grains" in w]
+        self.assertEqual(told(0.45, CASE), [])
+        said, = told(1, CASE)
+        self.assertTrue(said.startswith("the plate (friction 1) is not smoother than the grains (0.5)"), said)
+        self.assertIn("Use cell: ring", said)
+        self.assertEqual(told(1, RING), [])
+
     def test_adhesion_that_the_coulomb_limit_does_not_count(self):
         """Of each law that pulls, in each way to say so; not of ridges, over which grains ride."""
         adhesion = "contacts.ore-plate.k_adh=3e6 N/m^1.5"

@@ -134,6 +134,7 @@ static void high_ridges_in_a_straight_cell_are_told(void **state)
 {
     (void)state;
     clod_case_wall_friction *test = &now.from.wall_friction;
+    now.pairs[1].friction = now.pairs[2].friction = 0.2;
     test->cell = CLOD_CASE_CELL_STRAIGHT;
     test->outer_radius = 0.01;
     test->plate_ridges = (clod_case_ridges){.height = 1e-3, .spacing = 2e-3};
@@ -145,6 +146,32 @@ static void high_ridges_in_a_straight_cell_are_told(void **state)
     EXPECT(NULL);
     test->plate_ridges.width = 0.5e-3; // a floor wide enough for the grain to lie on: 0.4 mm
     EXPECT("grains sink 0.2 of their diameter", "at most 0.18");
+}
+
+/** A plate that grips as its grains do is held to them by the side wall of a straight cell; a ring lets the solid shear.
+ *  Ridges that grains hardly sink between make it no smoother. */
+static void a_plate_no_smoother_than_the_grains_in_a_straight_cell_is_told(void **state)
+{
+    (void)state;
+    clod_case_wall_friction *test = &now.from.wall_friction;
+    test->cell = CLOD_CASE_CELL_STRAIGHT;
+    test->outer_radius = 0.01;
+    EXPECT("the plate (friction 0.6) is not smoother than the grains (0.5)", "Use cell: ring");
+    test->plate_ridges = (clod_case_ridges){.height = 0.1e-3, .spacing = 2e-3};
+    EXPECT("the plate (friction 0.6) is not smoother than the grains (0.5)", "Use cell: ring");
+    test->plate_ridges.height = 1e-3; // said once, by the ridges
+    EXPECT("grains sink 0.29 of their diameter", "Use cell: ring");
+    test->plate_ridges.height = 0.0;
+    now.pairs[1].friction = now.pairs[2].friction = 0.5;
+    EXPECT("the plate (friction 0.5) is not smoother than the grains (0.5)");
+    now.pairs[1].friction = now.pairs[2].friction = 0.49;
+    EXPECT(NULL);
+    now.pairs[1].friction = now.pairs[2].friction = 0.6;
+    test->cell = CLOD_CASE_CELL_RING;
+    EXPECT(NULL);
+    test->cell = CLOD_CASE_CELL_STRAIGHT;
+    now.test[1].at = 0; // nothing was sheared
+    EXPECT(NULL);
 }
 
 /** I = 0.01/0.02 1/s 2 mm sqrt(2500/20e3) = 3.5e-4 at 10 mm/s, and 3.5e-3 at 100 mm/s. */
@@ -186,6 +213,8 @@ int main(void)
         cmocka_unit_test_setup(sides_that_carry_are_told, make_box),
         cmocka_unit_test_setup(a_lever_that_no_error_shows_is_told, make_box),
         cmocka_unit_test_setup(high_ridges_in_a_straight_cell_are_told, make_box),
+        cmocka_unit_test_setup(a_plate_no_smoother_than_the_grains_in_a_straight_cell_is_told,
+                               make_box),
         cmocka_unit_test_setup(what_is_too_fast_is_told, make_box),
         cmocka_unit_test_setup(bars_near_the_plate_are_told, make_box),
         cmocka_unit_test_setup(soft_grains_are_told, make_box),
