@@ -56,6 +56,12 @@ static void say_lacks(const char *verb)
     }
 }
 
+/** What a run lacks, of which the page is made all the same. */
+static void say_damage(const char *text)
+{
+    fprintf(stderr, "clod: %s\n", text);
+}
+
 /** Write one page and print its name; the exit status. */
 static int write_page(const char *verb, const clod_report_options *options,
                       bool (*write)(const clod_report_options *, char **, clod_status *))
@@ -95,7 +101,7 @@ int clod_app_report(int argc, char **argv)
             "too: parameters, targets, surrogates. -o names another file for the page of one "
             "run. clod hopper -o writes the page of a hopper's design.\vdocs/howto/report.md has examples.",
     };
-    request self = {0};
+    request self = {.options = {.tell = say_damage}};
     int result = CLOD_FAILED;
     if (read_request(&self, &argp, argc, argv)) {
         result = EXIT_SUCCESS;
@@ -131,7 +137,7 @@ int clod_app_compare(int argc, char **argv)
             "each other; and each figure beside it as SVG.\v"
             "docs/howto/report.md has examples.",
     };
-    request self = {0};
+    request self = {.options = {.tell = say_damage}};
     int result = CLOD_FAILED;
     if (read_request(&self, &argp, argc, argv)) {
         result = write_page(argv[0], &self.options, clod_report_compare);

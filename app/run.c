@@ -267,11 +267,18 @@ static void drop_page(const run_page *page)
     }
 }
 
+/** What the page lacks. */
+static void say_damage(const char *text)
+{
+    fprintf(stderr, "clod: %s\n", text);
+}
+
 /** Write the page of a run that is complete. The run is done, so what fails here is only said. */
 static void write_page(const run_page *page)
 {
     clod_status status = {CLOD_FAILED, "no memory for the name of its folder"};
-    const clod_report_options options = {.runs = &page->folder, .run_count = 1};
+    const clod_report_options options = {
+        .runs = &page->folder, .run_count = 1, .tell = say_damage};
     char *path = NULL;
     if (page->there) {
         fprintf(stderr, "clod: the page of this run stays as it is: %s/report.html\n",

@@ -10,6 +10,7 @@
 #include "report/compare_keys.h"
 #include "report/html.h"
 #include "report/report.h"
+#include "report/run_damage.h"
 #include "report/run_kinds.h"
 #include "report/sheet.h"
 
@@ -89,6 +90,9 @@ bool clod_report_compare(const clod_report_options *options, char **path, clod_s
     if (!good) {
         clod_memory_free(*path);
         *path = NULL;
+    }
+    for (size_t k = 0; good && k < options->run_count; k++) {
+        clod_run_damage_tell(&runs[k], options);
     }
     clod_sheet_fini(&sheet);
     json_decref(lab);

@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "picture/field.h"
 #include "picture/film.h"
 #include "picture/vtkhdf.h"
 #include "report/figure_json.h"
 #include "report/html.h"
 #include "report/packed.h"
+#include "report/run_damage.h"
 #include "report/scripts.h"
 
 /** Whether a part has snapshots. */
@@ -163,50 +165,96 @@ static bool put_walls(FILE *out, const char *path, size_t *total, size_t *shown,
     return good;
 }
 
-static bool put_frame(clod_sheet *sheet, const clod_film *film, const char *part,
+/** What the view shows, in words. */
+static void put_note(FILE *out, const char *part, double time, const size_t grains[2],
+                     const size_t triangles[2])
+{
+    fputs("<p class=\"note\">", out);
+    if (strcmp(part, "run") != 0) {
+        fputs("Part ", out);
+        clod_html_text(out, part);
+        fputs(", ", out);
+    }
+    fprintf(out, "%.6g s, %zu grains", time, grains[0]);
+    if (grains[1] < grains[0]) {
+        fprintf(out, ", of which %zu, evenly chosen, are shown", grains[1]);
+    }
+    if (triangles[1] < triangles[0]) {
+        fprintf(out, "; of %zu triangles of walls the first %zu are shown", triangles[0],
+                triangles[1]);
+    }
+    fputs(". Drag to turn, wheel or two fingers to zoom.</p>\n", out);
+}
+
+/** The last frame, and what it shows. */
+static bool put_frame(FILE *out, FILE *note, const clod_film *film, const char *part,
                       clod_status *status)
 {
     const clod_film_frame *last = &film->frames[film->count - 1];
-    size_t total = 0, shown = 0;
-    size_t triangles = 0, drawn = 0;
-    clod_html_section(sheet->body, "view", "The last snapshot");
-    FILE *out = clod_sheet_view(sheet);
+    size_t grains[2] = {0, 0}; // there are, and are shown
+    size_t triangles[2] = {0, 0};
     fputs("{\"time\":", out);
     clod_figure_json_number(out, last->time);
     fputs(",\"grains\":", out);
-    bool good = put_grains(out, last->grains, &total, &shown, status);
+    bool good = put_grains(out, last->grains, &grains[0], &grains[1], status);
     if (good && last->walls != NULL) {
         fputs(",\"walls\":", out);
-        good = put_walls(out, last->walls, &triangles, &drawn, status);
+        good = put_walls(out, last->walls, &triangles[0], &triangles[1], status);
     }
     fputs("}", out);
-    fputs("<p class=\"note\">", sheet->body);
-    if (strcmp(part, "run") != 0) {
-        fputs("Part ", sheet->body);
-        clod_html_text(sheet->body, part);
-        fputs(", ", sheet->body);
-    }
-    fprintf(sheet->body, "%.6g s, %zu grains", last->time, total);
-    if (shown < total) {
-        fprintf(sheet->body, ", of which %zu, evenly chosen, are shown", shown);
-    }
-    if (drawn < triangles) {
-        fprintf(sheet->body, "; of %zu triangles of walls the first %zu are shown", triangles,
-                drawn);
-    }
-    fputs(". Drag to turn, wheel or two fingers to zoom.</p>\n", sheet->body);
+    put_note(note, part, last->time, grains, triangles);
     return good;
 }
 
-bool clod_grain_view_put(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+/** The last snapshot of a part as texts. */
+static bool make(clod_grain_view *self, const clod_run_files *run, const char *part,
+                 clod_status *status)
+{
+    clod_film film;
+    clod_text data, note;
+    FILE *const out = clod_text_open(&data);
+    FILE *const words = clod_text_open(&note);
+    const bool room = out != NULL && words != NULL;
+    bool good = clod_film_open(&film, run->folder, part, status) && room &&
+                put_frame(out, words, &film, part, status);
+    clod_film_fini(&film);
+    self->data = out != NULL ? clod_text_close(&data) : NULL;
+    self->note = words != NULL ? clod_text_close(&note) : NULL;
+    if (self->data == NULL || self->note == NULL) {
+        good = clod_status_fail(status, CLOD_FAILED, "No memory for the 3-D view.");
+    }
+    if (!good) {
+        clod_grain_view_fini(self);
+    }
+    return good;
+}
+
+bool clod_grain_view_make(clod_grain_view *self, clod_run_files *run, clod_status *status)
 {
     const char *part = choose_part(run);
-    if (part == NULL || clod_scripts_bundle() == NULL) {
+    clod_status why = {0};
+    *self = (clod_grain_view){0};
+    if (part == NULL || clod_scripts_bundle() == NULL || make(self, run, part, &why)) {
         return true;
     }
-    clod_film film;
-    const bool good = clod_film_open(&film, run->folder, part, status) &&
-                      put_frame(sheet, &film, part, status);
-    clod_film_fini(&film);
-    return good;
+    return why.code == CLOD_USAGE
+               ? clod_run_damage_add(run, status,
+                                     "There is no 3-D view of the last snapshot: %s", why.text)
+               : clod_status_fail(status, why.code, "%s", why.text);
+}
+
+void clod_grain_view_put(clod_sheet *sheet, const clod_grain_view *self)
+{
+    if (self->data != NULL) {
+        clod_html_section(sheet->body, "view", "The last snapshot");
+        fputs(self->data, clod_sheet_view(sheet));
+        fputs(self->note, sheet->body);
+    }
+}
+
+void clod_grain_view_fini(clod_grain_view *self)
+{
+    clod_memory_free(self->data);
+    clod_memory_free(self->note);
+    *self = (clod_grain_view){0};
 }

@@ -61,7 +61,7 @@ size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab)
         clod_html_cell(out, "li", incomplete);
     }
     return (size_t)(run->report == NULL) + (size_t)(incomplete != NULL) +
-           put_study(out, json_object_get(run->summary, "locus")) +
+           put_list(out, run->damage) + put_study(out, json_object_get(run->summary, "locus")) +
            put_list(out, json_object_get(run->summary, "warnings")) +
            clod_free_warnings_put(out, run->summary) + clod_shear_lab_warnings(out, run, lab);
 }

@@ -10,6 +10,7 @@
 #include "report/grain_view.h"
 #include "report/head.h"
 #include "report/hopper_page.h"
+#include "report/run_damage.h"
 #include "report/run_kinds.h"
 #include "report/scripts.h"
 #include "report/sheet.h"
@@ -19,14 +20,19 @@ static bool fail_memory(clod_status *status)
     return clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
 }
 
-static bool put_run(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
+static bool put_run(clod_sheet *sheet, clod_run_files *run, const json_t *lab,
                     clod_status *status)
 {
+    clod_grain_view view;
+    if (!clod_grain_view_make(&view, run, status)) {
+        return false;
+    }
     clod_head_put(sheet->body, run);
     clod_head_warnings(sheet->body, run, lab);
     clod_cards_put(sheet->body, run);
-    const bool good =
-        run->kind->put(sheet, run, lab, status) && clod_grain_view_put(sheet, run, status);
+    const bool good = run->kind->put(sheet, run, lab, status);
+    clod_grain_view_put(sheet, &view);
+    clod_grain_view_fini(&view);
     clod_head_sources(sheet->body, run);
     return good;
 }
@@ -77,6 +83,9 @@ static bool write_run(const clod_report_options *options, const char *path, clod
     }
     good = good && clod_sheet_open(&sheet, status) && put_run(&sheet, &run, lab, status) &&
            clod_sheet_write(&sheet, run.title, path, status);
+    if (good) {
+        clod_run_damage_tell(&run, options);
+    }
     clod_sheet_fini(&sheet);
     json_decref(lab);
     clod_run_files_fini(&run);

@@ -21,11 +21,14 @@ typedef struct clod_report_options {
     size_t run_count;
     const char *lab;    ///< CSV file of measured shear points to lay over; NULL: none
     const char *output; ///< HTML file; NULL: report.html in the folder, or compare.html
+    /** Told what files of the runs lack, which the page says among its warnings; NULL: nobody. */
+    void (*tell)(const char *text);
 } clod_report_options;
 
 /**
  * Write the page of one run, or of a calibration: warnings, results, curves, tables, a view of its last snapshot, case
- * and provenance; and each figure as SVG beside it. The run may still be going on.
+ * and provenance; and each figure as SVG beside it. The run may still be going on. A snapshot that is missing or damaged
+ * is left out, and said.
  *
  * @param options  with one run
  * @param path     [out] owned name of the page (clod_report_free)

@@ -12,6 +12,7 @@
 #include "config/yaml.h"
 #include "output/file.h"
 #include "report/calibration_page.h"
+#include "report/run_damage.h"
 #include "report/run_kinds.h"
 
 #define TIME_LENGTH strlen("2026-01-31T12:00") ///< what the head of a page shows
@@ -177,8 +178,10 @@ bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *
     }
     find_title(self);
     self->kind = clod_run_kinds_of(self->complete);
-    return self->title != NULL ||
-           clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
+    if (self->title == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
+    }
+    return clod_run_damage_look(self, status);
 }
 
 /** Put one more folder of the path before the name; false: the name is the whole path. */
@@ -257,6 +260,7 @@ void clod_run_files_fini(clod_run_files *self)
 {
     json_decref(self->summary);
     json_decref(self->log);
+    json_decref(self->damage);
     clod_memory_free(self->folder);
     clod_memory_free(self->title);
     clod_memory_free(self->case_text);

@@ -21,6 +21,7 @@ typedef struct clod_run_files {
     char *report;        ///< owned: report.txt; NULL while the run is not complete
     json_t *summary;     ///< owned; NULL while there is none
     json_t *log;         ///< owned: `version` and `parts` as log.jsonl tells them, for as long
+    json_t *damage;      ///< owned: list of texts, what its files lack (run_damage.h)
     char *began, *ended; ///< owned: when, UTC; NULL: the log does not say
     const clod_run_kind *kind;
 } clod_run_files;

@@ -173,7 +173,7 @@ class Fault:
             return None # told beside the rest of the report
         if self.status == good.status and self.told_same(good):
             return None if self.files == good.files else "files differ, exit status is the same"
-        if self.status == 0 and "but its page report.html could not be written" in self.told:
+        if self.status == 0 and re.search("but its page report.html could not be written|There is no 3-D view", self.told):
             return None if self.results() == good.results() else "files differ, and not those of the page"
         if self.status not in (1, 2):
             return f"exit status {self.status}, not 1, but other output"

@@ -113,7 +113,7 @@ def field_run(folder, *more):
 
 
 def uniaxial(folder):
-    write(folder, summary__json=UNIAXIAL, report__txt="all of it\n",
+    write(folder, summary__json=UNIAXIAL, report__txt="all of it\n", fill__csv=STRESS,
           **{"stress_HYPHEN_1__csv": STRESS,
              "case_HYPHEN_complete__yaml": COMPLETE % (UNIAXIAL["title"], "2500") + "uniaxial:\n  seeds: 1\n"})
 

@@ -46,7 +46,7 @@ class FreePage(pages.PageCase):
         balance = {"in": {"grains": 27, "mass_kg": 40.0}, "inside": {"grains": 9, "mass_kg": 24.25},
                    "out": {"outlet_a": {"grains": 5, "mass_kg": 15.5}, "left_z_min": {"grains": 6, "mass_kg": 0.25}},
                    "spillage": {"grains": 6, "mass_kg": 0.25}, "lost": {"grains": 0, "mass_kg": 1e-14}}
-        pages.free_run(self.path("run"), **{"inlets": inlets, "gauges": gauges, "balance": balance, **changes})
+        pages.free_run(self.path("run"), **{"time_s": 1.0, "inlets": inlets, "gauges": gauges, "balance": balance, **changes})
         pages.write(self.path("run"), series__csv=(
             "time [s],inlet_1.backlog [kg],gauge_a.mass_flow [kg/s],gauge_b.mass_flow [kg/s],balance.in [1],"
             "balance_in.mass_flow [kg/s],balance_out.mass_flow [kg/s],clumps.d10 [m],clumps_a.d10 [m],"
@@ -81,7 +81,7 @@ class FreePage(pages.PageCase):
     def test_names_of_figures_are_unique(self):
         """Two figures that ask for one name: each has its place in the page, its file and its curve."""
         gauges = {name: pages.FREE["gauges"]["head"] for name in ("a_b", "a-b")}
-        pages.free_run(self.path("run"), gauges=gauges)
+        pages.free_run(self.path("run"), gauges=gauges, time_s=2.0)
         pages.write(self.path("run"), series__csv="time [s],belt.energy [J],clumps [1]\n0,1,4\n1,2,5\n2,4,9\n",
                     energy__csv="time [s],kinetic [J],heat [J]\n0,7,8\n1,6,9\n",
                     residence__csv="from [s],to [s],grains [1],share_up_to [1]\n1,1.5,1,0.25\n1.5,2,3,1\n",
