@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "analysis/cells.h"
 #include "analysis/fit.h"
 #include "analysis/prose.h"
 #include "base/given.h"
@@ -217,9 +218,11 @@ char *clod_bulk_density_json(const clod_bulk_density *self)
     for (size_t i = 0; i < self->point_count; i++) {
         const point *p = &self->points[i];
         json_array_append_new(points,
-                              json_pack("{s:f, s:f, s:f, s:f, s:f}", "sigma_1_Pa", p->sigma_1,
-                                        "sigma_1_error_Pa", p->sigma_1_error, "rho_b_kg_m3",
-                                        p->rho_b, "rho_b_error_kg_m3", p->rho_b_error,
+                              json_pack("{s:f, s:o, s:f, s:o, s:f}", "sigma_1_Pa", p->sigma_1,
+                                        "sigma_1_error_Pa",
+                                        clod_json_number(clod_cells_error(p->sigma_1_error)),
+                                        "rho_b_kg_m3", p->rho_b, "rho_b_error_kg_m3",
+                                        clod_json_number(clod_cells_error(p->rho_b_error)),
                                         "law_kg_m3", law(self, p->sigma_1)));
     }
     json_t *warnings = json_array();
@@ -248,8 +251,11 @@ char *clod_bulk_density_csv(const clod_bulk_density *self)
     fputs("sigma_1 [Pa],sigma_1_error [Pa],rho_b [kg/m3],rho_b_error [kg/m3]\n", out);
     for (size_t i = 0; i < self->point_count; i++) {
         const point *p = &self->points[i];
-        fprintf(out, "%.10g,%.10g,%.10g,%.10g\n", p->sigma_1, p->sigma_1_error, p->rho_b,
-                p->rho_b_error);
+        fprintf(out, "%.10g", p->sigma_1);
+        clod_cells_put(out, clod_cells_error(p->sigma_1_error));
+        clod_cells_put(out, p->rho_b);
+        clod_cells_put(out, clod_cells_error(p->rho_b_error));
+        fputs("\n", out);
     }
     return clod_text_close(&text);
 }

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "analysis/cells.h"
 #include "analysis/fields.h"
 #include "base/given.h"
 #include "base/json.h"
@@ -44,12 +45,11 @@ static json_t *marks_of(const clod_locus *locus)
     json_t *list = json_array();
     for (size_t i = 0; i < locus->point_count; i++) {
         const clod_locus_mark *mark = &locus->marks[i];
-        json_array_append_new(list,
-                              json_pack("{s:I, s:f, s:f, s:o, s:f, s:f}", "seed",
-                                        (json_int_t)mark->seed, "sigma_s_Pa", mark->sigma,
-                                        "tau_s_Pa", mark->measured, "tau_s_error_Pa",
-                                        number(mark->error > 0.0 ? mark->error : (double)NAN),
-                                        "prorated_Pa", mark->prorated, "line_Pa", mark->line));
+        json_array_append_new(
+            list, json_pack("{s:I, s:f, s:f, s:o, s:f, s:f}", "seed", (json_int_t)mark->seed,
+                            "sigma_s_Pa", mark->sigma, "tau_s_Pa", mark->measured,
+                            "tau_s_error_Pa", number(clod_cells_error(mark->error)),
+                            "prorated_Pa", mark->prorated, "line_Pa", mark->line));
     }
     return list;
 }
@@ -130,15 +130,6 @@ char *clod_locus_json(const clod_locus_study *study)
     return text;
 }
 
-static void put_cell(FILE *out, double value)
-{
-    if (isfinite(value)) {
-        fprintf(out, ",%.10g", value);
-    } else {
-        fputs(isnan(value) ? "," : ",inf", out);
-    }
-}
-
 char *clod_locus_csv(const clod_locus_study *study)
 {
     CLOD_NEED(study);
@@ -164,11 +155,11 @@ char *clod_locus_csv(const clod_locus_study *study)
                 locus->r_squared, locus->flow);
         for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
             const clod_locus_value value = clod_field_get(locus, k);
-            put_cell(out, UNITS[CLOD_FIELDS[k].kind].scale * value.value);
-            put_cell(out, UNITS[CLOD_FIELDS[k].kind].scale * value.error);
+            clod_cells_put(out, UNITS[CLOD_FIELDS[k].kind].scale * value.value);
+            clod_cells_put(out, UNITS[CLOD_FIELDS[k].kind].scale * value.error);
         }
         for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
-            put_cell(out, locus->correlation[k]);
+            clod_cells_put(out, locus->correlation[k]);
         }
         fputs("\n", out);
     }

@@ -127,6 +127,13 @@ static bool check_points(const clod_locus_point *points, size_t count, clod_stat
                count, points[0].sigma_s / 1000.0, unit);
 }
 
+/** A mean of one and the same number, set or rounded, without stated errors: nothing tells how well it is known. */
+static clod_locus_value forget_exact(clod_locus_value mean)
+{
+    mean.error = mean.error > NO_ERROR * mean.value ? mean.error : (double)NAN;
+    return mean;
+}
+
 /** Bulk density away from the walls, over the preshears that tell it. */
 static clod_locus_value mean_inside(const clod_locus_point *points, const size_t *first,
                                     size_t count, double *scratch)
@@ -137,7 +144,7 @@ static clod_locus_value mean_inside(const clod_locus_point *points, const size_t
             scratch[known++] = points[i].rho_inside;
         }
     }
-    return clod_mean_of(scratch, known, 0.0);
+    return forget_exact(clod_mean_of(scratch, known, 0.0));
 }
 
 /** Normal stress of preshear over the points; bulk densities over the preshears that tell them. */
@@ -147,7 +154,7 @@ static void fill_means(clod_locus *self, const clod_locus_point *points, const s
     for (size_t i = 0; i < count; i++) {
         scratch[i] = points[i].sigma_p;
     }
-    self->sigma_p = clod_mean_of(scratch, count, 0.0);
+    self->sigma_p = forget_exact(clod_mean_of(scratch, count, 0.0));
     size_t known = 0;
     double stated = 0.0;
     for (size_t i = 0; i < count; i++) {
@@ -156,7 +163,7 @@ static void fill_means(clod_locus *self, const clod_locus_point *points, const s
             stated += points[i].rho_b_error * points[i].rho_b_error;
         }
     }
-    self->rho_b = clod_mean_of(scratch, known, stated);
+    self->rho_b = forget_exact(clod_mean_of(scratch, known, stated));
     self->rho_inside = mean_inside(points, first, count, scratch);
     self->preshear_count = 0;
     for (size_t i = 0; i < count; i++) {
@@ -329,6 +336,9 @@ static void combine_values(const clod_locus *loci, size_t count, clod_locus *sel
         *clod_field_of(self, k) = combine_field(loci, count, k);
     }
     forget_preshear(self);
+    self->sigma_p = forget_exact(self->sigma_p);
+    self->rho_b = forget_exact(self->rho_b);
+    self->rho_inside = forget_exact(self->rho_inside);
     for (size_t k = 0; k < CLOD_LOCUS_PAIRS; k++) {
         self->correlation[k] = (double)NAN; // as few seeds as there are tell none
     }

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/cells.h"
 #include "analysis/prose.h"
 #include "base/given.h"
 #include "base/json.h"
@@ -60,8 +61,7 @@ static void put_mark(FILE *out, const mark *m, bool seeds)
         fprintf(out, "%8lld", (long long)m->point.seed);
     }
     fprintf(out, "%10.3f%10.3f ± ", 1e-3 * m->point.sigma, 1e-3 * m->point.tau);
-    clod_prose_error(out, 6, 3,
-                     m->point.tau_error > 0.0 ? 1e-3 * m->point.tau_error : (double)NAN);
+    clod_prose_error(out, 6, 3, 1e-3 * clod_cells_error(m->point.tau_error));
     fprintf(out, "%10.2f ± ", DEGREES * m->phi_x.value);
     clod_prose_error(out, 5, 2, DEGREES * m->phi_x.error);
     fprintf(out, "%10.3f%s\n", 1e-3 * m->line, m->point.unsteady ? "  not steady" : "");
@@ -107,16 +107,22 @@ static json_t *value_of(clod_locus_value value, double scale)
                      clod_json_number(scale * value.scatter));
 }
 
+/** The stress that was asked for; NaN: of a table nobody knows. */
+static double asked_of(const mark *m)
+{
+    return m->point.wall_stress > 0.0 ? m->point.wall_stress : (double)NAN;
+}
+
 static json_t *mark_of(const mark *m)
 {
-    const double asked = m->point.wall_stress > 0.0 ? m->point.wall_stress : (double)NAN;
-    return json_pack("{s:I, s:o, s:f, s:f, s:f, s:f, s:f, s:o, s:f, s:b}", "seed",
-                     (json_int_t)m->point.seed, "wall_stress_Pa", clod_json_number(asked),
-                     "sigma_w_Pa", m->point.sigma, "sigma_w_error_Pa", m->point.sigma_error,
-                     "tau_w_Pa", m->point.tau, "tau_w_error_Pa", m->point.tau_error,
-                     "phi_x_deg", DEGREES * m->phi_x.value, "phi_x_error_deg",
-                     clod_json_number(DEGREES * m->phi_x.error), "line_Pa", m->line, "steady",
-                     !m->point.unsteady);
+    return json_pack(
+        "{s:I, s:o, s:f, s:o, s:f, s:o, s:f, s:o, s:f, s:b}", "seed", (json_int_t)m->point.seed,
+        "wall_stress_Pa", clod_json_number(asked_of(m)), "sigma_w_Pa", m->point.sigma,
+        "sigma_w_error_Pa", clod_json_number(clod_cells_error(m->point.sigma_error)),
+        "tau_w_Pa", m->point.tau, "tau_w_error_Pa",
+        clod_json_number(clod_cells_error(m->point.tau_error)), "phi_x_deg",
+        DEGREES * m->phi_x.value, "phi_x_error_deg", clod_json_number(DEGREES * m->phi_x.error),
+        "line_Pa", m->line, "steady", !m->point.unsteady);
 }
 
 char *clod_wall_locus_json(const clod_wall_locus *self)
@@ -155,13 +161,19 @@ char *clod_wall_locus_csv(const clod_wall_locus *self)
           out);
     for (size_t i = 0; i < self->point_count; i++) {
         const mark *m = &self->marks[i];
-        fprintf(out, "%lld,%.10g,%.10g,%.10g,%.10g,%.10g,", (long long)m->point.seed,
-                m->point.sigma, m->point.sigma_error, m->point.tau, m->point.tau_error,
-                DEGREES * m->phi_x.value);
-        if (isfinite(m->phi_x.error)) {
-            fprintf(out, "%.10g", DEGREES * m->phi_x.error);
+        const double values[] = {m->point.sigma,
+                                 clod_cells_error(m->point.sigma_error),
+                                 m->point.tau,
+                                 clod_cells_error(m->point.tau_error),
+                                 DEGREES * m->phi_x.value,
+                                 DEGREES * m->phi_x.error,
+                                 m->line,
+                                 asked_of(m)};
+        fprintf(out, "%lld", (long long)m->point.seed);
+        for (size_t k = 0; k < sizeof values / sizeof *values; k++) {
+            clod_cells_put(out, values[k]);
         }
-        fprintf(out, ",%.10g,%.10g,%d\n", m->line, m->point.wall_stress, !m->point.unsteady);
+        fprintf(out, ",%d\n", !m->point.unsteady);
     }
     return clod_text_close(&text);
 }

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "analysis/cells.h"
 #include "base/given.h"
 #include "base/json.h"
 #include "clod/version.h"
@@ -100,10 +101,11 @@ static json_t *curve_of(const clod_curve *curve, const char *x, const char *y, d
     json_t *list = json_array();
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *point = &curve->points[i];
-        json_array_append_new(list, json_pack("{s:o, s:o, s:o, s:o}", x, number(point->x), y,
-                                              number(scale * point->y), "x_error",
-                                              number(point->x_error), "y_error",
-                                              number(scale * point->y_error)));
+        json_array_append_new(list,
+                              json_pack("{s:o, s:o, s:o, s:o}", x, number(point->x), y,
+                                        number(scale * point->y), "x_error",
+                                        number(clod_cells_error(point->x_error)), "y_error",
+                                        number(scale * clod_cells_error(point->y_error))));
     }
     return list;
 }
