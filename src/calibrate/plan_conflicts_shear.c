@@ -245,11 +245,19 @@ static void check_strength(clod_loader *loader, const clod_plan *self, size_t te
     }
 }
 
-/** The same of ffc = sigma_1/sigma_c. */
+/** The same of ffc = sigma_1/sigma_c: with sigma_2 >= 0 it is 1 at least, and more of a known phi_e. */
 static void check_least_ffc(clod_loader *loader, const clod_plan *self, size_t test)
 {
     const clod_plan_target *ffc = with(self, test, "ffc");
     const clod_plan_target *angle = with(self, test, "phi_e");
+    if (ffc != NULL && 1.0 - ffc->value > FIRM * ffc->error) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: ffc %.4g in targets.%zu is below 1: sigma_c would be above sigma_1, and a straight yield locus "
+            "has at most sigma_1 - sigma_2; correct it, or is it sigma_c/sigma_1?",
+            self->tests[test].name, ffc->value, ffc->entry);
+        return;
+    }
     if (ffc == NULL || angle == NULL) {
         return;
     }

@@ -229,6 +229,19 @@ static void ffc_below_that_of_an_effective_angle(void **state)
         "targets.0, and no straight yield locus has less");
 }
 
+// 1 less two of 0.1 is 0.8.
+static void ffc_below_one(void **state)
+{
+    clod_plan plan;
+    lab_load_good(state, RING, "number: ffc, value: 0.81, error: 0.1", &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(state, RING, "number: ffc, value: 0.79, error: 0.1",
+               "test lab: ffc 0.79 in targets.0 is below 1: sigma_c would be above sigma_1");
+    lab_refuse(state, RING,
+               TWO("phi_e, value: 40 deg, error: 3 deg", "ffc, value: 0.2, error: 0.01"),
+               "test lab: ffc 0.2 in targets.1 is below 1");
+}
+
 // 2 tan 85 = 22.860 without phi_lin: two of sqrt(1.5^2 + (0.1 22.860)^2) = 2.734 kPa above it are 28.33 kPa. With
 // phi_lin 30 deg it is 2 tan 60 = 3.4641, whose slope is 2/(1 - 1/2) = 4: two of
 // sqrt(0.2^2 + (0.1 3.4641)^2 + (4 2 pi/180)^2) = 0.4237 kPa above 3.4641 are 4.311 kPa.
@@ -375,6 +388,7 @@ int main(void)
         TEST(a_cohesion_beside_the_major_stress),
         TEST(strength_above_the_difference_of_principal_stresses),
         TEST(strength_above_that_of_an_effective_angle),
+        TEST(ffc_below_one),
         TEST(ffc_below_that_of_an_effective_angle),
         TEST(cohesion_too_small_for_a_strength),
         TEST(shear_stresses_that_fall_with_the_normal_stress),
