@@ -187,7 +187,7 @@ static const clod_param ROWS[] = {
      CLOD_FROM(1, 20),
      .fallback = "1",
      CLOD_AT(C, seeds),
-     .help = "Packings of each point, all different.",
+     .help = "Packings of each point, all different, and others in each test.",
      .source = THEORY},
     {.key = "seed",
      .kind = CLOD_PARAM_INTEGER,
@@ -196,7 +196,8 @@ static const clod_param ROWS[] = {
      CLOD_FROM(1, 1e9),
      .fallback = "1",
      CLOD_AT(C, seed),
-     .help = "Seed of the first packing and of the Markov chains.",
+     .help =
+         "Seed of the first packing of the first test, and of the Markov chains. Each further test begins 1e9 above.",
      .source = HOWTO},
     {.key = "sampling",
      .kind = CLOD_PARAM_SECTION,

@@ -50,7 +50,8 @@ void clod_runs_path(const clod_runs *self, size_t row, const char *ending, char 
 
 int64_t clod_runs_seed(const clod_plan *plan, size_t row)
 {
-    return plan->seed + (int64_t)packing_of(plan, row);
+    return plan->seed + (int64_t)packing_of(plan, row) +
+           CLOD_RUNS_SEEDS_APART * (int64_t)clod_runs_test_of(plan, row);
 }
 
 /** Rows up to `end`, read from the disk where they are there. */

@@ -15,6 +15,11 @@
 #define CLOD_RUNS_FOLDER "runs" ///< below that of the calibration
 #define CLOD_RUNS_NAME 128      ///< bytes of a run's name
 
+/** Seeds of two neighbouring tests are so far apart: more than a test has packings (CLOD_PLAN_POINTS times 20), so no two
+ *  tests share one, however many points come later. A plan has 1 MiB, so 1e5 tests at most, and its own seed is up to 1e9:
+ *  all are below the 9e15 that `seed` of a case may be. */
+#define CLOD_RUNS_SEEDS_APART INT64_C(1000000000)
+
 typedef struct clod_runs_options {
     const char *program;   ///< path of clod
     int workers;           ///< processes side by side
@@ -84,7 +89,11 @@ void clod_runs_name(const clod_plan *plan, size_t row, const char *ending,
 /** The same as a path. */
 void clod_runs_path(const clod_runs *self, size_t row, const char *ending, char path[PATH_MAX]);
 
-/** Seed of a row's packing; no two points have one in common. */
+/**
+ * Seed of a run. No two runs of a plan have one in common, nor do two tests of one point: with one filling they would scatter
+ * together, and targets of different tests count as independent. The first test's are those of a plan that has it alone.
+ * Test  tests/calibrate/test_runs_table.c
+ */
 int64_t clod_runs_seed(const clod_plan *plan, size_t row);
 
 /**

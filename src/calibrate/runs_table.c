@@ -19,7 +19,14 @@ static void put_quoted(FILE *out, const char *text)
 
 static void put_head(FILE *out, const clod_plan *plan)
 {
-    fputs("point,packing,seed", out);
+    fputs("point,packing", out);
+    for (size_t t = 0; t < plan->test_count; t++) {
+        if (plan->test_count == 1) {
+            fputs(",seed", out);
+        } else {
+            fprintf(out, ",%s: seed", plan->tests[t].name);
+        }
+    }
     for (size_t k = 0; k < plan->parameter_count; k++) {
         const clod_plan_parameter *one = &plan->parameters[k];
         fprintf(out, ",%s [%s]", one->name, one->unit[0] == '\0' ? "1" : one->unit);
@@ -55,8 +62,11 @@ static void put_row(FILE *out, const clod_runs *self, size_t point, size_t packi
 {
     const clod_plan *plan = self->plan;
     const size_t d = plan->parameter_count;
-    fprintf(out, "%zu,%zu,%lld", point, packing + 1,
-            (long long)clod_runs_seed(plan, clod_runs_row_of(plan, point, packing, 0)));
+    fprintf(out, "%zu,%zu", point, packing + 1);
+    for (size_t t = 0; t < plan->test_count; t++) {
+        const size_t row = clod_runs_row_of(plan, point, packing, t);
+        fprintf(out, ",%lld", (long long)clod_runs_seed(plan, row));
+    }
     for (size_t k = 0; k < d; k++) {
         fprintf(out, ",%.9g", clod_plan_number(&plan->parameters[k], places[point * d + k]));
     }

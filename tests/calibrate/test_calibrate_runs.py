@@ -53,6 +53,27 @@ class Runs(bounce.Bounce):
                     moved.add(row["e [1]"])
         self.assertGreater(len(moved), 1)
 
+    def test_copies_of_a_test_have_other_packings(self):
+        """Grains of other masses, so other energies; those of the first are as without the copy. And a run that an older clod
+        made with the seed of the first is done again."""
+        copies = SHORT.replace("tests:\n", "tests:\n  twin: {case: bounce.yaml}\n").replace(
+            "targets:\n", "targets:\n  - {test: twin, number: kinetic_energy_J, value: 1e-4, error: 1e-6}\n")
+        self.calibrate(SHORT, "-o", "alone")
+        self.calibrate(copies, "-o", "out")
+        rows = self.rows()
+        self.assertEqual([row["twin: seed"] for row in rows], [row["seed"] for row in self.rows("alone")])
+        self.assertEqual([int(row["bounce: seed"]) for row in rows], [1000000001 + k for k in range(5)])
+        self.assertEqual(rows[0]["e [1]"], "0.55")
+        self.assertEqual(rows[0]["twin: kinetic_energy_J [J]"], self.rows("alone")[0][ENERGY])
+        for row in rows:
+            self.assertNotEqual(row["twin: kinetic_energy_J [J]"], row[ENERGY])
+        before = self.row("p000-1")
+        self.change_row("p000-1", settings=before["settings"].replace("seed=1000000001;", "seed=1;"), seconds=1e4)
+        self.calibrate(copies, "-o", "out")
+        self.assertEqual(self.row("p000-1")["settings"], before["settings"])
+        self.assertLess(self.row("p000-1")["seconds"], 1e3)
+        self.assertEqual(self.rows(), rows)
+
     def test_finished_run_keeps_its_results_and_nothing_that_shows_or_continues_it(self):
         self.calibrate(SHORT, "-o", "out")
         self.assertEqual(sorted(os.listdir(self.path("out/runs/p000-1-bounce"))),
