@@ -50,8 +50,7 @@ typedef struct excess {
     double line;     ///< of the prorated shear stress
 } excess;
 
-/** Relative standard deviation between the preshears beyond their stated errors. */
-static double find_specimen(const clod_locus_point *points, const size_t *first, size_t count,
+double clod_spread_specimen(const clod_locus_point *points, const size_t *first, size_t count,
                             double tau_p)
 {
     double preshears = 0.0;
@@ -111,7 +110,7 @@ static excess find_excess(const clod_locus_point *points, const size_t *first, s
         expected += of_s * of_s * (1.0 - leverage);
         expected += first[i] == i ? expect_preshear(points, first, count, i, best) : 0.0;
     }
-    excess self = {find_specimen(points, first, count, tau_p), 0.0};
+    excess self = {clod_spread_specimen(points, first, count, tau_p), 0.0};
     if (count > 2) {
         self.line = sqrt(fmax(fit->residual - expected, 0.0) / (n - 2.0));
     }

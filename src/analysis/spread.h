@@ -26,6 +26,17 @@ typedef struct clod_spread_result {
 clod_spread_result clod_spread_evaluate(const clod_locus_point *points, size_t count,
                                         double *sigma, double *prorated);
 
+/**
+ * Relative standard deviation between the preshears of one seed beyond their stated errors; 0: there is one preshear.
+ *
+ * @param points  [count]
+ * @param first   [count] of clod_preshear_find
+ * @param tau_p   mean over the points
+ * Errors  none.   Threads  pure.   Test  tests/analysis/test_locus_preshear.c, calibrate/test_plan_shear.c
+ */
+double clod_spread_specimen(const clod_locus_point *points, const size_t *first, size_t count,
+                            double tau_p);
+
 /** Errors of the fields, and how they go together. */
 typedef struct clod_spread_told {
     double error[CLOD_FIELD_COUNT];       ///< 0 for sigma_p and densities

@@ -54,7 +54,9 @@ clod_misfit *clod_misfit_create(const clod_misfit_runs *runs)
         group *of = &self->groups[g];
         of->runs = clod_memory_alloc(of->count * of->count, sizeof(double));
         of->laboratory = clod_memory_alloc(of->count * of->count, sizeof(double));
-        good = of->runs != NULL && of->laboratory != NULL && clod_misfit_groups_fill(runs, of);
+        of->common = clod_memory_alloc(of->count * of->count, sizeof(double));
+        good = of->runs != NULL && of->laboratory != NULL && of->common != NULL &&
+               clod_misfit_groups_fill(runs, of);
     }
     if (!good) {
         clod_misfit_destroy(&self);
@@ -71,6 +73,7 @@ void clod_misfit_destroy(clod_misfit **self)
         clod_memory_free((*self)->groups[g].targets);
         clod_memory_free((*self)->groups[g].runs);
         clod_memory_free((*self)->groups[g].laboratory);
+        clod_memory_free((*self)->groups[g].common);
     }
     clod_memory_free((*self)->groups);
     clod_memory_free((*self)->group_of);
@@ -89,10 +92,14 @@ size_t clod_misfit_room(const clod_misfit *self)
     return n * n + n + 2 * CLOD_MISFIT_NODES;
 }
 
-/** Standard error of a measured value where estimated variances are larger by a factor. */
-static double error_of(const clod_plan_target *target, double factor)
+/** Standard error of a measured value but for what it has in common, where estimated variances are larger by a factor. */
+static double own_error(const clod_plan_target *target, double factor)
 {
-    return target->error * (target->repeats.estimate ? sqrt(factor) : 1.0);
+    const double common = target->common.error;
+    const double own = common > 0.0
+                           ? sqrt(fmax(target->error * target->error - common * common, 0.0))
+                           : target->error;
+    return own * (target->repeats.estimate ? sqrt(factor) : 1.0);
 }
 
 /** Covariance of the measured values of a group about what the surrogates say. */
@@ -106,7 +113,8 @@ static void fill_covariance(const clod_misfit *self, const group *of,
         for (size_t b = 0; b <= a; b++) {
             const clod_plan_target *other = &targets[of->targets[b]];
             v[a * n + b] =
-                of->laboratory[a * n + b] * error_of(one, factor) * error_of(other, factor) +
+                of->laboratory[a * n + b] * own_error(one, factor) * own_error(other, factor) +
+                factor * of->common[a * n + b] +
                 of->runs[a * n + b] *
                     sqrt(told[of->targets[a]].variance * told[of->targets[b]].variance);
         }
@@ -197,10 +205,10 @@ double clod_misfit_draw(const clod_misfit *self, const clod_surrogate_value *tol
         }
         for (size_t a = 0; a < of->count; a++) {
             const clod_plan_target *target = &self->plan->targets[of->targets[a]];
-            const double error = error_of(target, of->factors[node]);
-            variances[of->targets[a]] = error * error +
-                                        target->discrepancy * target->discrepancy +
-                                        told[of->targets[a]].variance;
+            const double own = own_error(target, of->factors[node]);
+            variances[of->targets[a]] =
+                own * own + of->factors[node] * of->common[a * (of->count + 1)] +
+                target->discrepancy * target->discrepancy + told[of->targets[a]].variance;
         }
     }
     return square;
@@ -225,5 +233,11 @@ void clod_misfit_correlation(const clod_misfit *self, size_t a, size_t b, double
         other = of->targets[k] == b ? k : other;
     }
     *runs = of->runs[at * of->count + other];
+    const clod_plan_target *one = &self->plan->targets[a], *two = &self->plan->targets[b];
+    const double common = of->common[at * of->count + other];
     *laboratory = of->laboratory[at * of->count + other];
+    if (common > 0.0) {
+        *laboratory = (*laboratory * own_error(one, 1.0) * own_error(two, 1.0) + common) /
+                      (one->error * two->error);
+    }
 }

@@ -206,6 +206,30 @@ static size_t find_members(const clod_plan *plan, const group *self, size_t tabl
     return count;
 }
 
+/** Correlations of what errors have beside those of their mean preshears: these are taken out of the mean correlation, as
+ *  they are counted by themselves. */
+static void take_out_preshears(const clod_plan *plan, const group *self, const size_t *members,
+                               size_t count, double *r)
+{
+    double all = 0.0, known = 0.0, pairs = 0.0;
+    for (size_t a = 0; a < count; a++) {
+        const clod_plan_target *one = target_of(plan, self, members[a]);
+        for (size_t b = 0; b < a; b++) {
+            const clod_plan_target *other = target_of(plan, self, members[b]);
+            all += r[a * count + b];
+            known += one->common.error * other->common.error / (one->error * other->error);
+            pairs += 1.0;
+        }
+    }
+    if (known <= 0.0) {
+        return;
+    }
+    const double kept = all > known ? (all - known) / (pairs - known) * pairs / all : 0.0;
+    for (size_t k = 0; k < count * count; k++) {
+        r[k] *= k % (count + 1) == 0 ? 1.0 : kept; // positive definite, as kept is at most 1
+    }
+}
+
 /** Correlations of the targets of one table, whose specimens recur: those of one specimen's numbers, times the
  *  specimens that two points have in common. */
 static void fill_table(const clod_plan *plan, group *self, size_t *members, size_t count,
@@ -228,12 +252,22 @@ static void fill_table(const clod_plan *plan, group *self, size_t *members, size
     degrees = clod_correlate_join(at->part, degrees, at->other,
                                   fmin(at->packed_degrees, MOST_FROM_PACKINGS), count);
     settle(at->part, count, degrees, at->test);
+    take_out_preshears(plan, self, members, count, at->part);
     for (size_t k = 0; k < count * count; k++) {
         const size_t a = members[k / count], b = members[k % count];
         const double common =
             in_common(&target_of(plan, self, a)->repeats, &target_of(plan, self, b)->repeats);
         self->laboratory[a * n + b] = a == b ? 1.0 : common * at->part[k];
     }
+}
+
+/** What two points have in common by the mean preshears that prorated them: all, of the same seeds. */
+static double of_preshears(const clod_plan_target *a, const clod_plan_target *b)
+{
+    const double common = a->common.error * b->common.error;
+    return common > 0.0 && a->table == b->table
+               ? common * fmin(in_common(&a->repeats, &b->repeats), 1.0)
+               : 0.0;
 }
 
 /** Correlation of two estimates of variances, as a root: so much of it comes of specimens in common. */
@@ -289,6 +323,8 @@ static void fill_laboratory(const clod_plan *plan, group *self, size_t *members,
     const size_t n = self->count;
     for (size_t k = 0; k < n * n; k++) {
         self->laboratory[k] = k % (n + 1) == 0 ? 1.0 : 0.0;
+        self->common[k] =
+            of_preshears(target_of(plan, self, k / n), target_of(plan, self, k % n));
     }
     for (size_t k = 0; k < n; k++) {
         const size_t table = target_of(plan, self, k)->table;
@@ -299,9 +335,11 @@ static void fill_laboratory(const clod_plan *plan, group *self, size_t *members,
     }
     self->degrees = (double)INFINITY;
     for (size_t k = 0; k < n; k++) {
-        self->degrees =
-            fmin(self->degrees,
-                 degrees_of(plan, self, target_of(plan, self, k)->entry, at, members));
+        const clod_plan_target *of = target_of(plan, self, k);
+        self->degrees = fmin(self->degrees, degrees_of(plan, self, of->entry, at, members));
+        if (of->common.error > 0.0) {
+            self->degrees = fmin(self->degrees, of->common.degrees);
+        }
     }
     fill_factors(self);
 }

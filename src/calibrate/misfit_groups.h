@@ -15,8 +15,10 @@ typedef struct clod_misfit_group {
     size_t count;
     size_t *targets; ///< [count] owned, index of each
     double *runs;    ///< [count][count] owned, correlation of what the surrogates do not know
-    double *laboratory; ///< [count][count] owned, of the errors of measured values
-    double degrees;     ///< of errors that were estimated; INFINITY: none were
+    double *laboratory; ///< [count][count] owned, of the rest of the errors of measured values
+    double *
+        common; ///< [count][count] owned, covariance of the measured values by the mean preshears that prorated them
+    double degrees; ///< of errors that were estimated; INFINITY: none were
     size_t nodes;
     double factors[CLOD_MISFIT_NODES]; ///< [nodes] of their variances, equally likely
 } clod_misfit_group;

@@ -78,6 +78,13 @@ typedef struct clod_plan_repeats {
     clod_plan_difference differences[CLOD_PLAN_SPECIMENS]; ///< [count], the first of them
 } clod_plan_repeats;
 
+/** The part of an error that all shear points of one seed have in common: that of the mean preshear shear stress, by which
+ *  they were prorated. */
+typedef struct clod_plan_common {
+    double error;   ///< SI; 0: none
+    double degrees; ///< of freedom of its estimate
+} clod_plan_common;
+
 /** A target with its number; SI. */
 typedef struct clod_plan_target {
     char name[CLOD_PLAN_NAME];   ///< for people, each its own: "ring: phi_e"
@@ -88,6 +95,7 @@ typedef struct clod_plan_target {
     double normal_stress;
     double value, error, discrepancy; ///< standard deviations
     clod_plan_repeats repeats;
+    clod_plan_common common; ///< part of `error`
     bool held_back;
     clod_plan_measure measure;
     /** Measured, over sigma_1: a run's number goes along it from the run's own sigma_1 to normal_stress;

@@ -59,6 +59,24 @@ static size_t gather(sample *points, size_t count)
     return same;
 }
 
+/** What the mean of points at one stress has in common with other stresses: points of one seed all the same, others
+ *  each their own. */
+static clod_plan_common common_of(const sample *points, size_t count)
+{
+    double squares = 0.0, degrees = 0.0;
+    for (size_t k = 0; k < count; k++) {
+        bool first = true;
+        for (size_t m = 0; m < count; m++) {
+            if (points[m].specimen == points[k].specimen) {
+                squares += points[k].common.error * points[m].common.error;
+                first = first && m >= k;
+            }
+        }
+        degrees += first ? points[k].common.degrees : 0.0;
+    }
+    return (clod_plan_common){sqrt(squares) / (double)count, degrees};
+}
+
 /** That of points at one stress, with its stated error; 0: a point has none.
  *  @param scatter  [out] standard error of the mean by how they scatter; 0: there is one only */
 static sample mean_of(const sample *points, size_t count, double slope, double *values,
@@ -77,6 +95,7 @@ static sample mean_of(const sample *points, size_t count, double slope, double *
     }
     mean.value = clod_mean_of(values, count, stated).value;
     mean.error = known ? sqrt(stated) / (double)count : 0.0;
+    mean.common = known ? common_of(points, count) : (clod_plan_common){0};
     mean.repeats.count = count;
     for (size_t k = 0; k < mean.repeats.count && k < CLOD_PLAN_SPECIMENS; k++) {
         mean.repeats.differences[k] =
@@ -86,16 +105,37 @@ static sample mean_of(const sample *points, size_t count, double slope, double *
     return mean;
 }
 
+static bool is_twice_in(const clod_plan_repeats *of)
+{
+    for (size_t k = 0; k < of->count && k < CLOD_PLAN_SPECIMENS; k++) {
+        for (size_t m = 0; m < k; m++) {
+            if (of->differences[m].specimen == of->differences[k].specimen) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/** An error without the part that a point has in common. */
+static double without(double error, double common)
+{
+    return common > 0.0 ? sqrt(fmax(error * error - common * common, 0.0)) : error;
+}
+
 /** Errors from the scatter of all points together, where that is larger than what is stated. A point of one
- *  specimen scatters as the others do. */
+ *  specimen scatters as the others do. What the points of each seed have in common is in the scatter between seeds, and not in
+ *  that of rows of one. */
 static void pool(clod_plan_samples *self, const double *scatter)
 {
     double squares = 0.0, degrees = 0.0;
+    bool between = true;
     bool relative = true; // a coefficient of variation needs values above 0
     for (size_t k = 0; k < self->count; k++) {
         const sample *one = &self->items[k];
         const double weight = (double)one->repeats.count - 1.0;
         relative = relative && one->value > 0.0;
+        between = between && !is_twice_in(&one->repeats);
         // s^2 of a specimen over the square of the value
         squares += weight * (double)one->repeats.count * pow(scatter[k] / one->value, 2.0);
         degrees += weight;
@@ -105,9 +145,10 @@ static void pool(clod_plan_samples *self, const double *scatter)
         if (degrees == 0.0 || one->error <= 0.0) {
             continue; // without a stated error it is asked for
         }
-        const double error =
+        const double all =
             relative ? one->value * sqrt(squares / degrees / (double)one->repeats.count)
                      : scatter[k];
+        const double error = without(all, between ? one->common.error : 0.0);
         one->repeats.pooled = relative;
         one->repeats.estimate = error > one->error;
         one->error = fmax(one->error, error);
@@ -138,8 +179,11 @@ static void warn_few(maker *self, const clod_plan_samples *from)
     size_t fewest = 0;
     for (size_t k = 0; k < from->count; k++) {
         const clod_plan_repeats *of = &from->items[k].repeats;
+        const clod_plan_common *common = &from->items[k].common;
         const bool counts = of->estimate && of->count > 1;
         fewest = counts && (fewest == 0 || of->count < fewest) ? of->count : fewest;
+        const size_t preshears = common->error > 0.0 ? (size_t)common->degrees + 1 : 0;
+        fewest = preshears > 0 && (fewest == 0 || preshears < fewest) ? preshears : fewest;
     }
     if (fewest == 0 || fewest > FEW) {
         return;
@@ -149,18 +193,6 @@ static void warn_few(maker *self, const clod_plan_samples *from)
         "%s: errors are estimated from %zu specimens, whose scatter at one stress is uncertain by %.0f %%. "
         "Intervals are wider for it (Student's t); more specimens make them narrower.",
         self->wish->locus, fewest, 100.0 / sqrt(2.0 * ((double)fewest - 1.0)));
-}
-
-static bool is_twice_in(const clod_plan_repeats *of)
-{
-    for (size_t k = 0; k < of->count && k < CLOD_PLAN_SPECIMENS; k++) {
-        for (size_t m = 0; m < k; m++) {
-            if (of->differences[m].specimen == of->differences[k].specimen) {
-                return true;
-            }
-        }
-    }
-    return false;
 }
 
 void clod_plan_samples_warn_alike(clod_plan_maker *self, const clod_plan_samples *from)
@@ -193,7 +225,8 @@ static void make_point(maker *self, const clod_number *kind, const clod_plan_tar
     made.normal_stress = point.stress;
     made.curve = from->curve;
     made.value = point.value;
-    made.error = point.error;
+    made.error = hypot(point.error, point.common.error);
+    made.common = point.common;
     made.repeats = point.repeats;
     if (made.error <= 0.0) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, ""),

@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file plan_samples.h
- * Measured points of a table on their way to targets: repeats become one. For plan_tables.c and
- * plan_curves.c alone.
+ * Measured points of a table on their way to targets: repeats become one. For plan_tables.c, plan_shear.c
+ * and plan_curves.c alone.
  */
 
 #include "calibrate/plan_targets.h"
@@ -12,6 +12,7 @@ typedef struct clod_plan_sample {
     double stress, value, error; ///< SI; error 0: the table has none; stress 0: there is none
     int64_t specimen;            ///< `seed` of the table
     clod_plan_repeats repeats;   ///< of a mean
+    clod_plan_common common;     ///< beside `error`
 } clod_plan_sample;
 
 /** Those of a table. */
@@ -42,6 +43,8 @@ bool clod_plan_samples_common(clod_plan_maker *self, size_t test, const clod_num
  *
  * A scatter of few specimens is a poor estimate, so those of all stresses are pooled: every point gets
  * their mean coefficient of variation, weighted by n - 1 (docs/theory/calibration.md).
+ *
+ * What all points of one seed have in common stays beside that.
  *
  * @param error  of a point whose table has none; 0: none, and then that of the mean is 0
  */

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file plan_targets.h
- * Targets in the making; for plan_targets.c, plan_samples.c, plan_tables.c, plan_curves.c alone.
+ * Targets in the making; for plan_targets.c, plan_samples.c, plan_tables.c, plan_shear.c, plan_curves.c alone.
  */
 
 #include "calibrate/number.h"
@@ -42,12 +42,14 @@ typedef enum clod_plan_is {
     CLOD_PLAN_IS_FLOW,    ///< over sigma_1, and no bulk densities
 } clod_plan_is;
 
-/** A kind of measured table (plan_tables.c, plan_curves.c). */
+#define CLOD_PLAN_TABLE_NUMBERS 3 ///< at most
+
+/** A kind of measured table (plan_tables.c, plan_shear.c, plan_curves.c). */
 typedef struct clod_plan_table {
     clod_plan_is is;
-    const char
-        *numbers[2]; ///< what its points are targets of, and what else the plan may ask for
-    bool one_stress; ///< normal_stress beside it takes the points there
+    const char *numbers
+        [CLOD_PLAN_TABLE_NUMBERS]; ///< what its points are targets of, and what else the plan may ask for
+    bool one_stress;               ///< normal_stress beside it takes the points there
     /** Targets of a file's points; false with status. */
     bool (*make)(clod_plan_maker *self, size_t test, const clod_number *kind,
                  clod_status *status);

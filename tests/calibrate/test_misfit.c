@@ -141,6 +141,33 @@ static void errors_of_specimens_that_recur_are_common(void **state)
     drop(&all);
 }
 
+/** The same specimens, whose errors have a part in common by the preshears that prorated them: of 0.5, a correlation of
+ *  1/4, it is part of the 5/12 that the specimens tell; of 0.8, 16/25, more than they tell. */
+static void errors_of_preshears_are_common_once(void **state)
+{
+    (void)state;
+    static const double PART[] = {0.5, 0.8}, EXPECTED[] = {5.0 / 12.0, 0.64};
+    for (int k = 0; k < 2; k++) {
+        made all = {.misfit = NULL};
+        plan_make(&all.plan, 1, 2);
+        put_specimens(&all.plan.targets[0], (const double[]){1, -1, 0});
+        put_specimens(&all.plan.targets[1], (const double[]){-2, 2, 0});
+        for (int t = 0; t < 2; t++) {
+            all.plan.targets[t].error = 1.0;
+            all.plan.targets[t].common = (clod_plan_common){PART[k], 5.0};
+        }
+        make(&all, 2);
+        double runs, laboratory, variances[2];
+        clod_misfit_correlation(all.misfit, 0, 1, &runs, &laboratory);
+        check_close(laboratory, EXPECTED[k], 1e-12);
+        check_close(clod_misfit_degrees(all.misfit, 0), 5.0, 0.0);
+        // the estimated part alone is uncertain: 5 over the 1/32 quantile of chi-square of 5 degrees, 0.92009
+        (void)clod_misfit_draw(all.misfit, all.told, (const double[]){0.0}, variances, room);
+        check_relative(variances[0], 1.0 + PART[k] * PART[k] * (5.0 / 0.92009 - 1.0), 1e-4);
+        drop(&all);
+    }
+}
+
 /** Three stresses of three specimens, r = 1 with 2 degrees, and one of the first specimen alone, at which its packings
  *  tell r = 1; with T = 4 and 2 + 5 degrees c = 7/8, (7 + 4 7/8)/11 = 21/22. One specimen of three is 1/sqrt(3) of
  *  a mean. Four numbers that were one have 2 degrees; r = 21/22 of three pooled ones: 2 9/(3 + 6 r^2). */
@@ -270,6 +297,7 @@ int main(void)
         cmocka_unit_test(what_surrogates_do_not_know_is_common),
         cmocka_unit_test(targets_of_two_tests_have_nothing_in_common),
         cmocka_unit_test(errors_of_specimens_that_recur_are_common),
+        cmocka_unit_test(errors_of_preshears_are_common_once),
         cmocka_unit_test(specimens_that_cannot_be_told_apart_are_independent),
         cmocka_unit_test(a_stress_of_one_specimen_leaves_the_others_together),
         cmocka_unit_test(errors_that_are_not_pooled_have_their_own_degrees),
