@@ -12,7 +12,8 @@
 #define SEEDS_HEAD "seed," SHEAR_HEAD
 #define WALL_HEAD "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa],steady\n"
 
-// Mean tau_p of the three specimens: 40 kPa. Prorated: tau_sh 40 kPa/tau_p.
+// Mean tau_p of the three specimens: 40 kPa. Prorated: tau_sh 40 kPa/tau_p, as is its error. The specimens differ by 2 kPa, so
+// the mean is known to 2/sqrt(3) kPa, and so are, in proportion, all points.
 static void measured_yield_locus_becomes_targets(void **state)
 {
     clod_plan plan;
@@ -24,9 +25,14 @@ static void measured_yield_locus_becomes_targets(void **state)
                  "locus: lab.csv, error: 0.7 kPa, discrepancy: 0.2 kPa, held_back: false",
                  &plan, &status));
     assert_int_equal(plan.target_count, 3);
-    lab_check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, 20e3 * 40.0 / 38.0, 0.5e3);
-    lab_check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, 30e3 * 40.0 / 42.0, 0.6e3);
-    lab_check_target(&plan.targets[2], "lab: tau at 40 kPa", 40e3, 35e3, 0.7e3); // of the plan
+    const double low = 20e3 * 40.0 / 38.0, middle = 30e3 * 40.0 / 42.0;
+    const double mean = 2.0 / sqrt(3.0) / 40.0;
+    lab_check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, low,
+                     hypot(0.5e3 * 40.0 / 38.0, low * mean));
+    lab_check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, middle,
+                     hypot(0.6e3 * 40.0 / 42.0, middle * mean));
+    lab_check_target(&plan.targets[2], "lab: tau at 40 kPa", 40e3, 35e3,
+                     hypot(0.7e3, 35e3 * mean)); // 0.7 kPa of the plan
     for (size_t t = 0; t < 3; t++) {
         assert_true(fabs(plan.targets[t].discrepancy - 0.2e3) < 1e-9);
     }
