@@ -27,6 +27,8 @@
 #define PHI_ERROR_MOST 3.0
 /// Below it more than a fifth, sqrt(1 - r2), of what the shear stresses differ is not the line.
 #define R2_LEAST 0.95
+#define LEAST_TEST 100.0 // Pa: a tenth of the least preshear stress of ring shear testers
+#define MOST_TEST 1e6    // Pa: hoppers and silos have some 100 kPa at most
 #define RHO_LOW 10.0     // kg/m3; aerogels and foam beads, the lightest solids, pour with more
 #define RHO_HIGH 15000.0 // kg/m3; powders of tungsten and platinum are lighter
 
@@ -131,6 +133,13 @@ static void check_units(clod_locus *locus, const clod_locus_point *points, size_
             "Preshear at %.3f kPa with a shear stress of %.3f kPa: phi_sf = %.2f "
             "deg is outside %.0f to %.0f deg; check columns and units of preshear.",
             locus->sigma_p.value / KILO, locus->tau_p.value / KILO, phi_sf, PHI_LOW, PHI_HIGH);
+    }
+    if (locus->sigma_p.value < LEAST_TEST || locus->sigma_p.value > MOST_TEST) {
+        clod_warnings_add(locus,
+                          "The preshear stress is %.6g kPa, %s. Is its unit another one?",
+                          locus->sigma_p.value / KILO,
+                          locus->sigma_p.value < LEAST_TEST ? "less than testers can do"
+                                                            : "more than any hopper has");
     }
     for (size_t i = 0; i < count; i++) {
         const double first = points[i].rho_b, inside = points[i].rho_inside;

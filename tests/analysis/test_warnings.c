@@ -56,6 +56,22 @@ static void angle_out_of_range(void **state)
     clod_locus_fini(&locus);
 }
 
+/** A good test in another unit: its angles do not tell. 990 kPa and 110 Pa are allowed. */
+static void stresses_of_no_tester(void **state)
+{
+    (void)state;
+    const double factor[] = {1e3, 1e-3, 99.0, 0.011};
+    const char *said[] = {"The preshear stress is 10000 kPa, more than any hopper has.",
+                          "The preshear stress is 0.01 kPa, less than testers can do.", NULL,
+                          NULL};
+    for (int k = 0; k < 4; k++) {
+        clod_locus_point points[4];
+        const double f = factor[k], sigma[] = {3e3 * f, 4.5e3 * f, 6e3 * f, 7.5e3 * f};
+        points_on_line(1e3 * f, 35.0 * DEG, 10e3 * f, 7.6e3 * f, sigma, 4, points);
+        expect(points, 4, said[k], NULL);
+    }
+}
+
 static void points_outside_the_range(void **state)
 {
     (void)state;
@@ -408,6 +424,7 @@ int main(void)
         cmocka_unit_test(good_test_has_none),
         cmocka_unit_test(two_points),
         cmocka_unit_test(angle_out_of_range),
+        cmocka_unit_test(stresses_of_no_tester),
         cmocka_unit_test(points_outside_the_range),
         cmocka_unit_test(shear_above_preshear),
         cmocka_unit_test(point_left_of_the_unconfined_circle),
