@@ -39,22 +39,33 @@ static piece through(const clod_curve_point *p, const clod_curve_point *q, doubl
     return (piece){from, p->y - b * p->x, b};
 }
 
-static piece fit(const clod_curve *self)
+clod_curve_line clod_curve_fit(const clod_curve *self)
 {
-    double x = 0.0;
-    double y = 0.0;
+    double all = 0.0, x = 0.0, y = 0.0;
     for (size_t i = 0; i < self->count; i++) {
-        x += self->points[i].x / (double)self->count;
-        y += self->points[i].y / (double)self->count;
+        all += self->points[i].weight;
     }
-    double sxx = 0.0;
-    double sxy = 0.0;
+    const double alike = all > 0.0 ? 0.0 : 1.0 / (double)self->count;
+    const double unit = all > 0.0 ? 1.0 / all : 0.0;
     for (size_t i = 0; i < self->count; i++) {
+        const double share = alike + unit * self->points[i].weight;
+        x += share * self->points[i].x;
+        y += share * self->points[i].y;
+    }
+    double sxx = 0.0, sxy = 0.0;
+    for (size_t i = 0; i < self->count; i++) {
+        const double share = alike + unit * self->points[i].weight;
         const double dx = self->points[i].x - x;
-        sxx += dx * dx;
-        sxy += dx * (self->points[i].y - y);
+        sxx += share * dx * dx;
+        sxy += share * dx * (self->points[i].y - y);
     }
-    return (piece){0.0, y - sxy / sxx * x, sxy / sxx};
+    const clod_curve_line line = {y - sxy / sxx * x, sxy / sxx};
+    const clod_curve_misfit *misfit = &self->misfit;
+    if (misfit->stretch <= 1.0) {
+        return line;
+    }
+    return (clod_curve_line){misfit->line.a + misfit->stretch * (line.a - misfit->line.a),
+                             misfit->line.b + misfit->stretch * (line.b - misfit->line.b)};
 }
 
 static size_t piece_count(const clod_curve *self)
@@ -80,7 +91,8 @@ static piece piece_at(const clod_curve *self, size_t k)
         return (piece){0.0, 0.0, p[0].y / p[0].x};
     }
     if (self->way == CLOD_CURVE_LINE) {
-        return fit(self);
+        const clod_curve_line line = clod_curve_fit(self);
+        return (piece){0.0, line.a, line.b};
     }
     return through(&p[k], &p[k + 1], k == 0 ? 0.0 : p[k].x);
 }

@@ -27,6 +27,9 @@ typedef struct clod_curve_point {
     double
         part[CLOD_CURVE_JOINT]; ///< then: move of y per standard normal number of its row, the
                                 ///< first of which moves x; y_error is all of it
+    bool
+        unsure; ///< its errors come of the scatter of so few points that they hardly tell a weight
+    double weight; ///< in a line (line_fit.h); 0 at all points: they weigh alike
 } clod_curve_point;
 
 /** Whose specimens move a curve; those of one test move all its curves together. */
@@ -40,8 +43,25 @@ typedef enum clod_curve_test {
 typedef enum clod_curve_way {
     CLOD_CURVE_HELD,     ///< straight between points, constant beyond them
     CLOD_CURVE_EXTENDED, ///< straight between points, beyond them on with the outer ones
-    CLOD_CURVE_LINE,     ///< least squares; a single point: the line from the origin
+    CLOD_CURVE_LINE, ///< least squares, weighted (line_fit.h); a single point: the line from the origin
 } clod_curve_way;
+
+/** y = a + b x. */
+typedef struct clod_curve_line {
+    double a, b;
+} clod_curve_line;
+
+/** How well a line fits its points (line_fit.h). */
+typedef struct clod_curve_misfit {
+    bool unsure;       ///< whether errors of some points hardly tell a weight
+    bool weighted;     ///< whether points weigh by their errors
+    double chi_square; ///< of what the points are off the line by; NAN: not all have errors
+    size_t freedom;    ///< its degrees of freedom; 0: nothing is left to compare
+    size_t specimens;  ///< degrees of freedom of the errors themselves; 0: they are known
+    double chance;     ///< of so large a chi_square, or a larger one, on a line; NAN: not known
+    double stretch;    ///< errors of the line are larger by this; 1 at least; 0: not looked at
+    clod_curve_line line; ///< through the points as measured
+} clod_curve_misfit;
 
 typedef struct clod_curve {
     clod_curve_way way;
@@ -50,6 +70,7 @@ typedef struct clod_curve {
     size_t specimens;         ///< whose scatter the points share; 0: none
     double *spread;           ///< that of the points; owned likewise, NULL: another curve's
     clod_curve_test test;     ///< of the specimens
+    clod_curve_misfit misfit; ///< of a line
 } clod_curve;
 
 /** Sort the points. */
@@ -57,6 +78,15 @@ void clod_curve_sort(clod_curve *self);
 
 /** Free points and spread; a curve of zeros is fine. */
 void clod_curve_fini(clod_curve *self);
+
+/**
+ * The line of least squares through the points, by their weights. With a misfit it lies off the measured one by
+ * `stretch` times what the points say.
+ *
+ * @param self  two points at least
+ * Errors  none.   Threads  pure.   Test  tests/hopper/test_curve.c, test_line_fit.c
+ */
+clod_curve_line clod_curve_fit(const clod_curve *self);
 
 /**
  * The property at x; not below 0.

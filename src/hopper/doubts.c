@@ -9,6 +9,7 @@
 #include "hopper/words.h"
 
 #define DEGREE (M_PI / 180.0)
+#define READING (1.0 * DEGREE) // how well charts are read
 #define FEW 3 // degrees of freedom below which the scatter of specimens is hardly known
 
 /** A state outside what was measured. */
@@ -65,6 +66,26 @@ static void warn_large_errors(clod_hopper *self)
 static bool is_edge(const clod_hopper_design *at)
 {
     return at->sticks && at->built == at->outlet;
+}
+
+/** A limit from a chart for wedges that lies below the limit of a cone. */
+static void warn_limit(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const clod_hopper_wish *wish = &found->wish;
+    const double cone =
+        wish->limit > 0.0 && found->design.design_state.sigma_1 > 0.0
+            ? clod_hopper_limit_at(&self->solid, found->design.design_state.sigma_1,
+                                   CLOD_RADIAL_TOLERANCE)
+            : 0.0;
+    if (wish->limit + 2.0 * found->limit_error < cone - READING) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: the limit that is given, %.1f deg, is below that of a cone, %.1f deg, where sigma_1 is %.3f "
+            "kPa. Charts for wedges allow more than for cones: was it read at another phi_e or wall friction "
+            "angle, or is it a half angle from which the margin is taken off already?",
+            name, wish->limit / DEGREE, cone / DEGREE,
+            1e-3 * found->design.design_state.sigma_1);
+    }
 }
 
 /** A half angle that was given, close to the limit of mass flow or beyond it. */
@@ -246,12 +267,14 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
             name);
     }
     clod_doubts_wall(self, name, found);
+    clod_doubts_no_arch(self, name, found);
     if (clod_hopper_is_critical(at)) {
         warn_beyond(self, name, &self->solid.strength, "sigma_1", at->state.sigma_1);
         warn_beyond(self, name, &self->solid.wall, "the normal stress at the wall",
                     at->state.sigma_w);
     }
     warn_angle(self, name, found);
+    warn_limit(self, name, found);
     warn_silo(self, name, found);
     warn_outlet(self, name, found);
 }
@@ -357,6 +380,7 @@ void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes)
 {
     clod_doubts_measured(self);
     warn_large_errors(self);
+    clod_doubts_line(self);
     warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
     warn_rathole(self);

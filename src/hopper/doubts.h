@@ -19,6 +19,9 @@
 bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clod_solid *solid,
                        clod_status *status);
 
+/** Whether a curve can go from one point to the next: the stress of q is clearly above that of p. */
+bool clod_doubts_are_apart(const clod_curve_point *p, const clod_curve_point *q);
+
 /** Note what is doubtful about a finished design in its warnings. */
 void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes);
 
@@ -29,6 +32,21 @@ void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes);
  * Test  tests/hopper/test_doubts.py
  */
 void clod_doubts_measured(clod_hopper *self);
+
+/**
+ * Note how the line of the flow function fits its points: which have no errors to weigh by, and where it misses them, with
+ * the outlets by the other curve.
+ *
+ * Test  tests/hopper/test_line.py
+ */
+void clod_doubts_line(clod_hopper *self);
+
+/**
+ * Note on what "no arch" rests: samples that have one, and a strength that is followed below what was measured.
+ *
+ * Test  tests/hopper/test_line.py
+ */
+void clod_doubts_no_arch(clod_hopper *self, const char *name, const clod_hopper_found *found);
 
 /**
  * Note where the wall decides by what was not measured, or another stress asks for another angle.

@@ -21,6 +21,11 @@ static bool is_known(const char *path, const clod_curve *curve, const char *key,
                path, column, key, column);
 }
 
+bool clod_doubts_are_apart(const clod_curve_point *p, const clod_curve_point *q)
+{
+    return q->x - p->x > fmax(CLOD_DOUBTS_APART * q->x, 2.0 * (p->x_error + q->x_error));
+}
+
 /** Points through which a curve is drawn from one to the next need stresses of their own. */
 static bool are_apart(const char *path, const clod_curve *curve, const char *key,
                       const char *what, clod_status *status)
@@ -28,7 +33,7 @@ static bool are_apart(const char *path, const clod_curve *curve, const char *key
     for (size_t i = 1; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i - 1];
         const clod_curve_point *q = &curve->points[i];
-        if (q->x - p->x <= fmax(CLOD_DOUBTS_APART * q->x, 2.0 * (p->x_error + q->x_error))) {
+        if (!clod_doubts_are_apart(p, q)) {
             return clod_status_fail(
                 status, CLOD_USAGE,
                 "%s: %s: two points at nearly the same stress, %.6g and %.6g kPa%s. %s", path,

@@ -147,6 +147,7 @@ static void draw_curve(const clod_draw *self, uint64_t item, const clod_curve *m
                                            together(self, measured, from->set, from->x_spread));
         curve->points[i].y =
             fmax(0.0, from->y + y + together(self, measured, from->set, from->spread));
+        curve->points[i].weight = from->weight; // points were sorted
     }
 }
 

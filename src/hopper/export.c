@@ -24,8 +24,10 @@ static json_t *number(double value)
 
 static json_t *interval(const clod_hopper_value *from, double scale)
 {
-    return json_pack("{s:o, s:o, s:o}", "value", number(scale * from->value), "low",
-                     number(scale * from->low), "high", number(scale * from->high));
+    return json_pack("{s:o, s:o, s:o, s:o, s:o}", "value", number(scale * from->value), "low",
+                     number(scale * from->low), "high", number(scale * from->high), "low_error",
+                     number(scale * from->low_error), "high_error",
+                     number(scale * from->high_error));
 }
 
 /** Outlets of the samples by their shares, and where their spread comes from. */
@@ -121,6 +123,19 @@ static json_t *measured(const clod_hopper *self)
                      curve_of(&solid->wall, "sigma_w_Pa", "tau_w_Pa", 1.0));
 }
 
+/** The line of the flow function, and how well it fits; null: there is none. */
+static json_t *line_of(const clod_curve *strength)
+{
+    const clod_curve_misfit *at = &strength->misfit;
+    if (at->stretch == 0.0) {
+        return json_null();
+    }
+    return json_pack("{s:o, s:o, s:b, s:o, s:I, s:o, s:o}", "f_c_at_0_Pa", number(at->line.a),
+                     "slope", number(at->line.b), "weighted", at->weighted, "chi_square",
+                     number(at->chi_square), "degrees_of_freedom", (json_int_t)at->freedom,
+                     "p_value", number(at->chance), "errors_times", number(at->stretch));
+}
+
 /** Designs from each specimen alone. */
 static json_t *specimens_of(const clod_hopper *self)
 {
@@ -153,16 +168,16 @@ char *clod_hopper_json(const clod_hopper *self)
     const clod_hopper_interval *interval_of = &self->from.interval;
     const clod_joint_rows loci = clod_joint_count(&self->solid);
     json_t *all = json_pack(
-        "{s:s?, s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I, s:I, s:I}, s:o, s:o}",
+        "{s:s?, s:s?, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I, s:I, s:I}, s:o, s:o}",
         "title", self->from.title, "after_storage", self->from.strength.after_storage,
         "version", clod_version_text(), "case", self->path, "overrides", overrides, "cone",
         shape_of(&self->shape[CLOD_RADIAL_CONE]), "wedge",
         shape_of(&self->shape[CLOD_RADIAL_WEDGE]), "rathole", rathole_of(self), "measured",
-        measured(self), "arch_thickness", CLOD_HOPPER_ARCH_NAMES[self->from.arch], "interval",
-        "level", interval_of->level, "samples", (json_int_t)interval_of->samples, "seed",
-        (json_int_t)interval_of->seed, "loci_drawn_together", (json_int_t)loci.together,
-        "loci_drawn_apart", (json_int_t)loci.apart, "specimens", specimens_of(self), "warnings",
-        warnings);
+        measured(self), "flow_function_line", line_of(&self->solid.strength), "arch_thickness",
+        CLOD_HOPPER_ARCH_NAMES[self->from.arch], "interval", "level", interval_of->level,
+        "samples", (json_int_t)interval_of->samples, "seed", (json_int_t)interval_of->seed,
+        "loci_drawn_together", (json_int_t)loci.together, "loci_drawn_apart",
+        (json_int_t)loci.apart, "specimens", specimens_of(self), "warnings", warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

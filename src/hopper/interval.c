@@ -165,6 +165,7 @@ bool clod_interval_specimens(clod_hopper *self, clod_status *status)
     clod_solid solid;
     clod_curve_point *owned;
     bool good = copy_solid(&self->solid, &solid, &owned);
+    solid.strength.misfit.stretch = 0.0; // the line of a specimen is that of its points
     self->specimens = clod_memory_alloc(specimens, sizeof *self->specimens);
     good = good && (self->specimens != NULL || specimens == 0);
     for (size_t s = 0; s < specimens && good; s++) {
@@ -250,14 +251,33 @@ static double put_interval(const task *self, size_t offset, double *room,
                            clod_hopper_value *value)
 {
     const size_t count = sort_numbers(self, offset, room);
-    value->low = value->high = (double)NAN;
+    value->low = value->high = value->low_error = value->high_error = (double)NAN;
     if (count > 0 && !isnan(value->value)) {
         const double scale = finer(value->value, number_at(&self->measured, offset));
         const double tail = 0.5 * (1.0 - self->hopper->from.interval.level);
         value->low = scale * clod_samples_quantile(room, count, tail);
         value->high = scale * clod_samples_quantile(room, count, 1.0 - tail);
+        value->low_error = scale * clod_samples_quantile_error(room, count, tail);
+        value->high_error = scale * clod_samples_quantile_error(room, count, 1.0 - tail);
     }
     return (double)count / (double)self->count;
+}
+
+/** The outlets of the samples that have a critical one. */
+static void put_arched(const task *self, int s, double *room, clod_hopper_found *found)
+{
+    const double tail = 0.5 * (1.0 - self->hopper->from.interval.level);
+    size_t count = 0;
+    for (size_t i = 0; i < self->count; i++) {
+        const double outlet = self->samples[i].number[s][CLOD_HOPPER_OUTLET];
+        if (isfinite(outlet) && outlet > 0.0) {
+            room[count++] = outlet;
+        }
+    }
+    qsort(room, count, sizeof *room, by_size);
+    found->arched_low = count > 0 ? clod_samples_quantile(room, count, tail) : (double)NAN;
+    found->arched_high =
+        count > 0 ? clod_samples_quantile(room, count, 1.0 - tail) : (double)NAN;
 }
 
 /** All outlets of a shape. */
@@ -329,6 +349,7 @@ static void collect(const task *self, const rooms *all, clod_hopper *to)
             put_interval(self, offsetof(sample, number) + place, room, &to->shape[s].number[n]);
         }
         put_shares(self, s, &to->shape[s]);
+        put_arched(self, s, room, &to->shape[s]);
         put_quantiles(self, s, room, &to->shape[s]);
         put_causes(self, s, all, &to->shape[s]);
     }

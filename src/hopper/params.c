@@ -60,8 +60,9 @@ static const clod_param STRENGTH[] = {
      .choices = CURVES,
      .fallback = "line",
      CLOD_AT(clod_hopper_strength, curve),
-     .help = "line: least squares through the points; points: straight from point to point. "
-             "Both go on beyond them.",
+     .help =
+         "line: least squares through the points, weighted by their errors; points: straight "
+         "from point to point. Both go on beyond them.",
      .source = THEORY},
     {.key = "after_storage",
      .kind = CLOD_PARAM_FILE,
@@ -189,9 +190,11 @@ static const clod_param INTERVAL[] = {
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "1",
      CLOD_FROM(100, 100000),
-     .fallback = "1000",
+     .fallback = "4000",
      CLOD_AT(clod_hopper_interval, samples),
-     .help = "How many times all measured values are drawn from their errors.",
+     .help =
+         "How many times all measured values are drawn from their errors; what their number "
+         "leaves open of the ends of the interval is printed.",
      .source = THEORY},
     {.key = "seed",
      .kind = CLOD_PARAM_INTEGER,

@@ -34,6 +34,7 @@ typedef enum clod_hopper_number {
 /** A number and its interval; NAN: not known, then all three. */
 typedef struct clod_hopper_value {
     double value, low, high;
+    double low_error, high_error; ///< standard errors of the ends, by the number of samples
 } clod_hopper_value;
 
 /** Where the rathole diameters stand behind the numbers of the shapes. */
@@ -46,6 +47,9 @@ typedef struct clod_hopper_found {
     double limit_error; ///< rad: standard error of the wish's limit
     clod_hopper_value number[CLOD_HOPPER_NUMBERS];
     double share[CLOD_HOPPER_OUTCOMES]; ///< of the samples
+    double arched_low,
+        arched_high;   ///< m: interval of the outlet of those that have a critical one;
+                       ///< NAN: none has
     double arching;    ///< share of the samples in which the planned outlet arches
     double mechanical; ///< m: outlet at which large particles do not arch; 0: not known
     double

@@ -19,6 +19,14 @@ double clod_samples_quantile(const double *sorted, size_t count, double share)
     return sorted[k] + part * (sorted[k + 1] - sorted[k]);
 }
 
+double clod_samples_quantile_error(const double *sorted, size_t count, double share)
+{
+    const double off = sqrt(share * (1.0 - share) / (double)count);
+    const double low = clod_samples_quantile(sorted, count, fmax(0.0, share - off));
+    const double high = clod_samples_quantile(sorted, count, fmin(1.0, share + off));
+    return low == high ? 0.0 : 0.5 * (high - low);
+}
+
 void clod_samples_values(const clod_solid *solid, const clod_solid_state *state,
                          double value[CLOD_SOLID_CURVES])
 {

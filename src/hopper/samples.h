@@ -12,6 +12,15 @@
 double clod_samples_quantile(const double *sorted, size_t count, double share);
 
 /**
+ * Standard error of that value if the sorted ones are independent draws: half the distance of the values one standard
+ * deviation, sqrt(share (1 - share)/count), of the share to either side. Infinite ones make it infinite, or NAN.
+ *
+ * Threads  pure.   Source  H. A. David and H. N. Nagaraja, Order Statistics (2003), 2.5 and 7.1.
+ * Test     tests/hopper/test_samples.c
+ */
+double clod_samples_quantile_error(const double *sorted, size_t count, double share);
+
+/**
  * The measured curves at one state. To first order in the errors a critical outlet depends on each
  * curve by this one value: where the flow function meets the flow factor, its value there moves the
  * meeting point, its slope only the change of that.

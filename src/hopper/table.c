@@ -93,6 +93,17 @@ static void put_specimens(FILE *out, const clod_hopper *self, int shape)
     }
 }
 
+/** How well the number of samples tells the ends of an interval. */
+static void put_ends(FILE *out, const clod_hopper_field *how, const clod_hopper_value *number)
+{
+    if (number->low_error > 0.0 || number->high_error > 0.0) {
+        fprintf(out, "  %-32s%10s", "  ends, ± by number of samples", "");
+        put_number(out, 12, how, number->low_error);
+        put_number(out, 12, how, number->high_error);
+        fprintf(out, "  %s\n", how->unit);
+    }
+}
+
 static void put_shape(FILE *out, const clod_hopper *self, int shape)
 {
     const clod_hopper_found *found = &self->shape[shape];
@@ -107,7 +118,11 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
         put_text(out, funnel ? "  why: " : "  limit and half angle: ", text);
     }
     for (int n = 0; n < CLOD_HOPPER_MARGIN; n++) {
-        put_line(out, clod_hopper_field_of(found, (clod_hopper_number)n), &found->number[n]);
+        const clod_hopper_field *how = clod_hopper_field_of(found, (clod_hopper_number)n);
+        put_line(out, how, &found->number[n]);
+        if (n == CLOD_HOPPER_OUTLET) {
+            put_ends(out, how, &found->number[n]);
+        }
     }
     if (found->mechanical > 0.0) {
         fprintf(out, "  %-32s%10.1f                          mm\n",
@@ -159,9 +174,12 @@ char *clod_hopper_table(const clod_hopper *self)
     fprintf(out, "\n  %.3g %% interval from %lld samples, seed %lld; H(theta) by %s\n",
             100.0 * self->from.interval.level, (long long)self->from.interval.samples,
             (long long)self->from.interval.seed, CLOD_HOPPER_ARCH_NAMES[self->from.arch]);
-    char drawn[CLOD_WORDS_MOST];
-    if (clod_words_drawn(self, drawn)) {
-        put_text(out, "  ", drawn);
+    char note[CLOD_WORDS_MOST];
+    if (clod_words_line(self, note)) {
+        put_text(out, "  ", note);
+    }
+    if (clod_words_drawn(self, note)) {
+        put_text(out, "  ", note);
     }
     fputs(self->warnings.count > 0 ? "\n  Warnings\n" : "", out);
     for (size_t i = 0; i < self->warnings.count; i++) {

@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "clod/bulk_density.h"
 #include "clod/locus.h"
+#include "hopper/line_fit.h"
 #include "hopper/loci.h"
 #include "hopper/storage.h"
 #include "hopper/wall.h"
@@ -343,12 +344,53 @@ static bool read_wall(const clod_hopper_property *from, clod_curve *wall,
     return true;
 }
 
+/** A column that is empty at the smallest stress: the value of the next one stands in for it. */
+static void warn_blank(const clod_solid *solid, const clod_curve *curve, const char *what,
+                       double scale, const char *unit, clod_tables_notes *notes)
+{
+    const clod_curve_point *first = &solid->strength.points[0];
+    const clod_curve_point *next = curve->points;
+    for (size_t i = 1; i < solid->strength.count; i++) {
+        const clod_curve_point *point = &solid->strength.points[i];
+        first = point->x < first->x ? point : first;
+    }
+    for (size_t i = 1; i < curve->count; i++) {
+        next = curve->points[i].x < next->x ? &curve->points[i] : next;
+    }
+    if (curve->count > 0 && next->x > first->x) {
+        clod_warning_list_add(
+            notes->warnings,
+            "Flow function: %s is missing at the smallest sigma_1, %.6g kPa; at it, and below, that at the "
+            "next, %.6g kPa, is used: %.6g %s. Fill the gap.",
+            what, 1e-3 * first->x, 1e-3 * next->x, scale * next->y, unit);
+    }
+}
+
+/** Gaps in the columns that the design takes from the flow function. */
+static void warn_blanks(const clod_hopper_case *from, const clod_solid *solid,
+                        clod_tables_notes *notes)
+{
+    static const double DEGREES = 180.0 / M_PI;
+    if (!from->phi_e.present) {
+        warn_blank(solid, &solid->phi_e, "phi_e", DEGREES, "deg", notes);
+    }
+    if (!from->phi_t.present) {
+        warn_blank(solid, &solid->phi_t, "phi_t", DEGREES, "deg", notes);
+    }
+    if (!from->rho.present) {
+        warn_blank(solid, &solid->rho, "rho_b", 1.0, "kg/m3", notes);
+    }
+}
+
 bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status)
 {
     *solid = (clod_solid){0};
-    if (!read_strength(from, solid, notes, status) ||
-        !read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
+    if (!read_strength(from, solid, notes, status)) {
+        return false;
+    }
+    warn_blanks(from, solid, notes);
+    if (!read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
         !read_property(&from->phi_t, read_phi_t, &solid->phi_t, status) ||
         !read_property(&from->rho, clod_tables_read_density, &solid->rho, status) ||
         !read_wall(&from->wall, &solid->wall, notes, status)) {
@@ -361,9 +403,15 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_sort(&solid->curves[k]);
     }
+    clod_line_fit_weigh(&solid->strength);
     const char *stored = from->strength.after_storage;
-    return stored == NULL ||
-           clod_storage_read(stored, !from->phi_t.present, solid, notes->warnings, status);
+    if (stored == NULL) {
+        return true;
+    }
+    const bool good =
+        clod_storage_read(stored, !from->phi_t.present, solid, notes->warnings, status);
+    clod_line_fit_weigh(&solid->strength);
+    return good;
 }
 
 void clod_tables_fini(clod_solid *solid)

@@ -44,6 +44,13 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
             "Funnel flow: the half angle of %.1f deg is flatter than the limit of mass flow "
             "that is given, %.1f deg.",
             DEGREES * found->wish.half_angle, DEGREES * found->wish.limit);
+    } else if (at->outcome == CLOD_HOPPER_NO_ARCH &&
+               clod_words_arched(found) > CLOD_WORDS_SOME) {
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "Mass flow. As measured no cohesive arch stands at any outlet, but one does in %.1f %% of the "
+            "samples, which is within the errors: no answer yet, see the warnings.",
+            100.0 * clod_words_arched(found));
     } else if (at->sticks) {
         snprintf(text, CLOD_WORDS_MOST,
                  "Mass flow, and no cohesive arch above the critical outlet. It is the wall's: "
@@ -98,6 +105,39 @@ bool clod_words_design_state(const clod_hopper_found *found, char text[CLOD_WORD
              1e3 * at->built, 1e-3 * at->design_state.sigma_1, DEGREES * at->design_state.phi_e,
              DEGREES * at->design_state.phi_w);
     return other;
+}
+
+double clod_words_arched(const clod_hopper_found *found)
+{
+    return found->share[CLOD_HOPPER_FLOWS] + found->share[CLOD_HOPPER_ARCHES];
+}
+
+bool clod_words_line(const clod_hopper *self, char text[CLOD_WORDS_MOST])
+{
+    const clod_curve_misfit *at = &self->solid.strength.misfit;
+    const char *why = "not all points have errors of f_c";
+    char specimens[64];
+    if (at->specimens > 0) {
+        snprintf(specimens, sizeof specimens, "%zu specimens hardly tell how they differ",
+                 at->specimens + 1);
+        why = specimens;
+    } else if (at->unsure) {
+        why = "three points of a locus hardly tell its errors";
+    }
+    const int used =
+        snprintf(text, CLOD_WORDS_MOST, "Flow function: f_c = %.3f kPa %c %.4f sigma_1, ",
+                 1e-3 * at->line.a, at->line.b < 0.0 ? '-' : '+', fabs(at->line.b));
+    const size_t room = CLOD_WORDS_MOST - (size_t)used;
+    int more = at->weighted ? snprintf(text + used, room, "points weighted by their errors")
+                            : snprintf(text + used, room, "all points alike, since %s", why);
+    if (at->freedom > 0) {
+        snprintf(text + used + more, room - (size_t)more,
+                 "; chi-square %.3g, degrees of freedom %zu, p %.2f.", at->chi_square,
+                 at->freedom, at->chance);
+    } else {
+        snprintf(text + used + more, room - (size_t)more, ".");
+    }
+    return at->stretch > 0.0;
 }
 
 void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])

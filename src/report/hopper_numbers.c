@@ -32,6 +32,19 @@ static void put_row(FILE *out, const clod_hopper_field *how, const clod_hopper_v
     fputs("</tr>\n", out);
 }
 
+/** How well the number of samples tells the ends of the interval of the critical outlet. */
+static void put_ends(FILE *out, const clod_hopper_value *outlet)
+{
+    static const clod_hopper_field ENDS = {
+        "", "its ends, ± by the number of samples", "mm", 1e3, 1.0, 1, NULL};
+    if (outlet->low_error > 0.0 || outlet->high_error > 0.0) {
+        put_row(out, &ENDS,
+                &(clod_hopper_value){.value = (double)NAN,
+                                     .low = outlet->low_error,
+                                     .high = outlet->high_error});
+    }
+}
+
 static void begin_table(FILE *out, const clod_hopper *design, const char *first)
 {
     const double tail = 50.0 * (1.0 - design->from.interval.level);
@@ -56,10 +69,14 @@ static void put_numbers(FILE *out, const clod_hopper *design)
                 put_row(out, clod_hopper_field_of(found, (clod_hopper_number)n),
                         &found->number[n]);
             }
+            if (n == CLOD_HOPPER_OUTLET) {
+                put_ends(out, &found->number[n]);
+            }
         }
         if (found->mechanical > 0.0) {
-            put_row(out, &PARTICLES[CLOD_HOPPER_CELLS_SHAPES[k]],
-                    &(clod_hopper_value){found->mechanical, none, none});
+            put_row(
+                out, &PARTICLES[CLOD_HOPPER_CELLS_SHAPES[k]],
+                &(clod_hopper_value){.value = found->mechanical, .low = none, .high = none});
         }
         fputs("</tbody></table></div>\n", out);
     }
@@ -70,7 +87,9 @@ static void put_numbers(FILE *out, const clod_hopper *design)
         if (design->silo.diameter > 0.0) {
             put_row(out, &CLOD_HOPPER_CELLS_HOLES[CLOD_HOPPER_FILLING],
                     &design->rathole[CLOD_HOPPER_FILLING]);
-            put_row(out, &HEAD, &(clod_hopper_value){design->hole.filling_stress, none, none});
+            put_row(out, &HEAD,
+                    &(clod_hopper_value){
+                        .value = design->hole.filling_stress, .low = none, .high = none});
         }
         fputs("</tbody></table></div>\n", out);
     }
@@ -107,10 +126,14 @@ static void put_causes(FILE *out, const clod_hopper *design)
             "<p>%lld samples: each is a design from values drawn within the errors of what was "
             "measured.",
             (long long)interval->samples);
-    char drawn[CLOD_WORDS_MOST];
-    if (clod_words_drawn(design, drawn)) {
+    char note[CLOD_WORDS_MOST];
+    if (clod_words_line(design, note)) {
         fputs(" ", out);
-        clod_html_text(out, drawn);
+        clod_html_text(out, note);
+    }
+    if (clod_words_drawn(design, note)) {
+        fputs(" ", out);
+        clod_html_text(out, note);
     }
     fputs("</p>\n<ul>", out);
     for (int k = 0; k < CLOD_HOPPER_SHAPES; k++) {

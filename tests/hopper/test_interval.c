@@ -1,6 +1,7 @@
 // Errors carried to results, where they can be worked out by hand.
 
 #include "hopper/interval.h"
+#include "hopper/line_fit.h"
 #include "hopper/solid_made.h"
 
 #define SAMPLES 500
@@ -85,6 +86,41 @@ static void errors_of_the_flow_function(void **state)
                 QUANTILE_ERROR * error);
 }
 
+/** Half the width of the interval of f_c at the critical state. */
+static double half_width(const clod_solid *solid)
+{
+    static clod_hopper hopper;
+    begin(&hopper, solid);
+    fill(&hopper);
+    const clod_hopper_value *strength =
+        &hopper.shape[CLOD_RADIAL_CONE].number[CLOD_HOPPER_STRENGTH];
+    return 0.5 * (strength->high - strength->low);
+}
+
+/** Points off a line by a contrast that the line does not see, +h, -2h, +h at equal distances: the line is the same,
+ *  and so are the samples but for the width, which is that of the errors times sqrt(chi-square/1), 6 h^2/e^2. */
+static void a_misfit_widens_the_interval(void **state)
+{
+    (void)state;
+    static made of;
+    const double error = 10.0, off[] = {0.0, 4.0, 10.0};
+    double width[3];
+    for (int k = 0; k < 3; k++) {
+        make_solid(&of, 45.0, 20.0, 1500.0);
+        for (int i = 0; i < 3; i++) {
+            add_strength(&of, 2.0 + 4.0 * i,
+                         1.4 + 0.8 * i + 1e-3 * off[k] * (i == 1 ? -2.0 : 1.0));
+            of.strength[i].y_error = error;
+        }
+        of.solid.strength.way = CLOD_CURVE_LINE;
+        clod_line_fit_weigh(&of.solid.strength);
+        check_relative(of.solid.strength.misfit.line.b, 0.2, 1e-12);
+        width[k] = half_width(&of.solid);
+    }
+    check_relative(width[1], width[0], 1e-6); // chi-square 0.96
+    check_relative(width[2], sqrt(6.0) * width[0], 0.02);
+}
+
 /** Three specimens off by -4, 0 and 4 % along the whole wall yield locus: tan(phi_w) = 0.3 has the
  *  standard error 4 %/sqrt(3) at any stress, also below the points, where errors drawn for each of
  *  them would be larger. */
@@ -160,6 +196,8 @@ static void funnel_flow_counts(void **state)
     check_close(share + cone->share[CLOD_HOPPER_FLOWS], 1.0, 1e-9);
     assert_true(isinf(cone->number[CLOD_HOPPER_OUTLET].high));
     assert_true(isfinite(cone->number[CLOD_HOPPER_OUTLET].low));
+    assert_true(isfinite(cone->arched_high)); // that of the others
+    check_relative(cone->arched_low, cone->number[CLOD_HOPPER_OUTLET].low, 0.02);
     check_close(cone->number[CLOD_HOPPER_HALF_ANGLE].low, 5.0 * DEGREE, 1e-12); // as given
     check_close(cone->number[CLOD_HOPPER_HALF_ANGLE].high, 5.0 * DEGREE, 1e-12);
     // with a wall angle that does not depend on stress they are in funnel flow at any outlet
@@ -173,6 +211,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_error_of_the_density_alone),
         cmocka_unit_test(errors_of_the_flow_function),
+        cmocka_unit_test(a_misfit_widens_the_interval),
         cmocka_unit_test(specimens_of_a_wall_move_all_its_points),
         cmocka_unit_test(no_errors_no_width),
         cmocka_unit_test(funnel_flow_counts),

@@ -90,7 +90,7 @@ class Outlet(clod.Case):
         self.start(wall=ADHESIVE)
         found = self.design("--set", "cone={half_angle: 20 deg, outlet: 10 mm}")
         self.assertTrue(found["cone"]["outlet_by_wall"])
-        self.assertEqual(found["cone"]["half_angle_deg"], {"value": 20.0, "low": 20.0, "high": 20.0})
+        self.assertEqual(found["cone"]["half_angle_deg"], {"value": 20.0, "low": 20.0, "high": 20.0, "low_error": 0.0, "high_error": 0.0})
         self.assertFalse([text for text in found["warnings"] if "by less than the margin" in text])
         found = self.design("--set", "cone={half_angle: 26 deg, outlet: 1000 mm}", "--set", "wall_friction={angle: 20 deg}")
         self.assertTrue([text for text in found["warnings"] if "by less than the margin" in text])

@@ -23,6 +23,31 @@ static void a_quantile_lies_straight_between_neighbours(void **state)
     assert_true(isinf(clod_samples_quantile(sorted, 4, 1.0)));
 }
 
+/** Of 0, 1, ... 400 the median is that of a share known to sqrt(0.25/401), which is 400 times as many of them; of the
+ *  5 % the same with sqrt(0.05 x 0.95/401). Beyond an end there is nothing, and infinite ones make it infinite. */
+static void an_end_is_known_to_its_share(void **state)
+{
+    (void)state;
+    double sorted[401];
+    for (int i = 0; i < 401; i++) {
+        sorted[i] = i;
+    }
+    check_relative(clod_samples_quantile_error(sorted, 401, 0.5), 400.0 * 0.5 / sqrt(401.0),
+                   1e-12);
+    check_relative(clod_samples_quantile_error(sorted, 401, 0.05), 400.0 * sqrt(0.0475 / 401.0),
+                   1e-12);
+    check_relative(clod_samples_quantile_error(sorted, 3, 0.05), // from 0 to 2 (0.05 + 0.1258)
+                   0.05 + sqrt(0.0475 / 3.0), 1e-12);
+    for (int i = 380; i < 401; i++) {
+        sorted[i] = (double)INFINITY;
+    }
+    assert_true(isinf(clod_samples_quantile_error(sorted, 401, 0.95)));
+    for (int i = 0; i < 401; i++) {
+        sorted[i] = (double)INFINITY;
+    }
+    assert_true(clod_samples_quantile_error(sorted, 401, 0.95) == 0.0);
+}
+
 /** Shares of up to two curves, strength and wall; the values stay as they are. */
 static double shares_of(const double *a, const double *b, const double *outlet, size_t count,
                         double share[CLOD_SOLID_CURVES])
@@ -145,6 +170,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_quantile_lies_straight_between_neighbours),
+        cmocka_unit_test(an_end_is_known_to_its_share),
         cmocka_unit_test(shares_are_squares_of_correlations_of_ranks),
         cmocka_unit_test(what_two_curves_tell_counts_once),
         cmocka_unit_test(heavy_tails_do_not_hide_a_curve),

@@ -78,6 +78,15 @@ class WedgeLimit(hopper_case.Case):
         self.assertAlmostEqual(found["sample_shares"]["funnel_flow"], share, delta=0.025)
         self.assertEqual(found["planned_outlet_arching_share"], found["sample_shares"]["funnel_flow"])
 
+    def test_a_limit_below_that_of_a_cone(self):
+        """Charts for wedges allow more than for cones: 10 deg are doubtful where a cone has more than 20; not within two errors."""
+        for text, doubtful in (("limit: 10 deg", True), ("limit: 35 deg", False), ("limit: 18 deg, limit_error: 6 deg", False)):
+            self.start(wedge(text))
+            design = self.found()
+            self.assertGreater(design["cone"]["limit_deg"]["value"], 20.0)
+            said = [one for one in self.warnings() if one.startswith("Wedge: the limit that is given, 10.0 deg, is below that of a cone")]
+            self.assertEqual(len(said), 1 if doubtful else 0)
+
     def test_what_is_refused(self):
         self.refuse(wedge("limit: 35"), ["case.yaml:3:16: wedge.limit: 35 needs a unit of angle", "^"])
         self.refuse(wedge("limit: 61 deg"), ["wedge.limit", "is out of range", "at most 60 deg"])
