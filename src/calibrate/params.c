@@ -96,7 +96,8 @@ static const clod_param WISH[] = {
      .help =
          "Table of measured points in place of value, as clod locus or, of a flow function, clod hopper reads "
          "it. Shear points: each prorated one with the case's preshear stress is a target tau; with number: rho_b "
-         "(or rho_inside) the mean density of their specimens, with number: tau_p their mean preshear shear stress. A wall yield locus: each point is a target phi_x. Bulk densities "
+         "(or rho_inside) the mean density of their specimens, with number: tau_p their mean preshear shear "
+         "stress. A wall yield locus: each point is a target phi_x. Bulk densities "
          "(sigma_1, rho_b) and a flow function (sigma_1, sigma_c): targets rho_b (or rho_inside) and sigma_c. Of a uniaxial test "
          "each row is one; of a shear test the row at normal_stress, to which the test's number is moved along "
          "the table from its own sigma_1. Repeats at one stress are one target, their mean.",
