@@ -28,7 +28,7 @@ typedef struct clod_curve_point {
         part[CLOD_CURVE_JOINT]; ///< then: move of y per standard normal number of its row, the
                                 ///< first of which moves x; y_error is all of it
     bool
-        unsure; ///< its errors come of the scatter of so few points that they hardly tell a weight
+        unsure; ///< its errors come of the few points of a yield locus, which hardly tell a weight
     double weight; ///< in a line (line_fit.h); 0 at all points: they weigh alike
 } clod_curve_point;
 

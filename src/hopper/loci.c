@@ -10,8 +10,6 @@
 #include "base/memory.h"
 #include "clod/locus.h"
 
-#define SURE 4 ///< points of a locus whose scatter tells its errors so that they can weigh
-
 /** A value with its standard error; what is not known is 0. */
 static void put(clod_curve_point *point, clod_locus_value value)
 {
@@ -130,8 +128,7 @@ static bool rows_of(const clod_locus_study *study, bool brings_phi_e, clod_loci 
         rows[g].rho.inside = isfinite(locus->rho_inside.value) ? locus->rho_inside.value : 0.0;
         rows[g].strength.x = locus->sigma_1.value;
         rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
-        rows[g].strength.unsure =
-            locus->errors == CLOD_LOCUS_ERRORS_FIT && locus->point_count < SURE;
+        rows[g].strength.unsure = true;
         join(locus, &rows[g]);
         take_notes(locus, notes);
     }

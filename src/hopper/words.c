@@ -122,7 +122,7 @@ bool clod_words_line(const clod_hopper *self, char text[CLOD_WORDS_MOST])
                  at->specimens + 1);
         why = specimens;
     } else if (at->unsure) {
-        why = "three points of a locus hardly tell its errors";
+        why = "the few points of a yield locus hardly tell its errors";
     }
     const int used =
         snprintf(text, CLOD_WORDS_MOST, "Flow function: f_c = %.3f kPa %c %.4f sigma_1, ",

@@ -2,7 +2,6 @@
 // hold the truth.
 
 #include "hopper/joint.h"
-#include "hopper/line_fit.h"
 
 #include <stdlib.h>
 
@@ -33,7 +32,6 @@ typedef struct scheme {
     bool stated;    ///< errors stand in the table; else they are what the points scatter
     bool specimens; ///< each point is of a specimen of its own, stronger or weaker by 2 %
     bool apart;     ///< the values are drawn independently
-    bool weighted;  ///< the line of the flow function goes by the errors of its points
 } scheme;
 
 static double normal(uint64_t item, uint64_t draw)
@@ -152,9 +150,6 @@ static void cover(const scheme *of, double share[2], double width[2])
         clod_curve_point strength[LOCI], phi_t[LOCI], drawn_strength[LOCI], drawn_phi_t[LOCI];
         clod_solid solid;
         tabulate(of, repeat, strength, phi_t, &solid);
-        if (of->weighted) {
-            clod_line_fit_weigh(&solid.strength);
-        }
         clod_solid drawn = solid;
         drawn.strength.points = drawn_strength;
         drawn.phi_t.points = drawn_phi_t;
@@ -177,10 +172,10 @@ static void cover(const scheme *of, double share[2], double width[2])
         }
     }
     print_message(
-        "%zu points, errors %s%s, drawn %s%s: outlet %.1f %% (width %.2f), rathole %.1f %% (%.2f)\n",
+        "%zu points, errors %s%s, drawn %s: outlet %.1f %% (width %.2f), rathole %.1f %% (%.2f)\n",
         of->points, of->stated ? "stated" : "from scatter", of->specimens ? ", specimens" : "",
-        of->apart ? "apart" : "together", of->weighted ? ", weighted" : "", 100.0 * share[0],
-        width[0], 100.0 * share[1], width[1]);
+        of->apart ? "apart" : "together", 100.0 * share[0], width[0], 100.0 * share[1],
+        width[1]);
 }
 
 /** Three standard deviations of a share of 0.9 of 400 laboratories, 0.045, and 0.01 for 400 samples. Above it the
@@ -221,26 +216,6 @@ static void drawn_apart_they_are_too_wide(void **state)
             assert_true(apart[n] > 0.945);
             assert_true(wide[n] > 1.3 * width[n]);
         }
-    }
-}
-
-/** Errors grow with the stress, so a line of weighted points is known much better below them, where the outlet is. Errors
- *  from the scatter of a few points make weights that follow it: beside the points, where the rathole is, intervals are
- *  too sure then (docs/theory/hopper.md has the numbers). */
-static void weighted_points_tell_more(void **state)
-{
-    (void)state;
-    if (sanitized()) {
-        skip(); // a share of hundreds of repeats
-    }
-    for (int k = 0; k < 4; k++) {
-        scheme of = {.points = k / 2 == 0 ? 4 : 6, .stated = k % 2 == 1};
-        double alike[2], wide[2], share[2], width[2];
-        cover(&of, alike, wide);
-        of.weighted = true;
-        cover(&of, share, width);
-        assert_true(share[0] > 0.9 - 0.055 && width[0] < 0.7 * wide[0]);
-        assert_true(share[1] > 0.74 && width[1] < wide[1]);
     }
 }
 
@@ -375,7 +350,6 @@ int main(void)
         cmocka_unit_test(drawn_values_have_their_correlations),
         cmocka_unit_test(drawn_together_they_hold_the_truth),
         cmocka_unit_test(drawn_apart_they_are_too_wide),
-        cmocka_unit_test(weighted_points_tell_more),
         cmocka_unit_test(three_points_tell_little),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
