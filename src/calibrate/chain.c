@@ -132,21 +132,35 @@ static bool go(chain *self, const double *next, bool inside, double *chance)
     return true;
 }
 
-/** A step along the difference of two members of the population: to another summit, along a ridge. */
-static void leap(chain *self)
+/** One of the options, all as likely. */
+static size_t draw_choice(chain *self)
+{
+    const size_t at = (size_t)(uniform(self) * (double)self->setup->options);
+    return at < self->setup->options ? at : self->setup->options - 1;
+}
+
+/** A step along the difference of two members of the population: to another summit, along a ridge. @param anew also draw
+ *  a whole number anew, with which the summit may be elsewhere */
+static void leap(chain *self, bool anew)
 {
     const clod_chain_setup *setup = self->setup;
     double next[CLOD_CHAIN_MOST], chance;
+    size_t none = 0;
+    size_t *at = anew ? &self->chosen[self->turn++ % setup->choices] : &none;
+    const size_t before = *at;
+    *at = anew ? draw_choice(self) : before;
     const clod_population_dice dice = {uniform(self), uniform(self), uniform(self)};
     const bool inside =
         clod_population_propose(setup->population, setup->dimensions, &dice, self->point, next);
-    go(self, next, inside, &chance);
+    if (!go(self, next, inside, &chance)) {
+        *at = before;
+    }
 }
 
 static void leap_on(chain *self)
 {
     for (int k = 0; k < LEAPS && self->setup->population != NULL; k++) {
-        leap(self);
+        leap(self, k % 2 > 0 && self->setup->choices > 0);
     }
 }
 
@@ -168,13 +182,6 @@ static bool advance(chain *self, double *chance)
         inside = inside && next[i] > 0.0 && next[i] < 1.0;
     }
     return go(self, next, inside, chance);
-}
-
-/** One of the options, all as likely. */
-static size_t draw_choice(chain *self)
-{
-    const size_t at = (size_t)(uniform(self) * (double)self->setup->options);
-    return at < self->setup->options ? at : self->setup->options - 1;
 }
 
 /** Draw the choice anew whose turn it is. */

@@ -161,33 +161,41 @@ static bool accepts(course *self, double density, double before)
     return density > -HUGE_VAL && log(uniform(self)) < self->power * (density - before);
 }
 
-/** A step of one member along the difference of two others, and one of its whole numbers drawn anew. */
-static void move(course *self, size_t i)
+/** A step of one member: along the difference of two others, one of its whole numbers drawn anew, or both at once, since
+ *  another draw may have its summit elsewhere. */
+static void step(course *self, size_t i, bool along, bool anew)
 {
     const clod_chain_setup *setup = self->setup;
     clod_population *of = self->of;
     double *place = of->places + i * setup->dimensions;
-    size_t *chosen = of->chosen + i * setup->choices;
     double next[CLOD_CHAIN_MOST];
-    const clod_population_dice dice = {uniform(self), uniform(self), uniform(self)};
-    if (clod_population_propose(of, setup->dimensions, &dice, place, next)) {
-        const double density = density_at(self, next, chosen);
-        if (accepts(self, density, of->density[i])) {
-            memcpy(place, next, setup->dimensions * sizeof *next);
-            of->density[i] = density;
-        }
+    bool inside = true;
+    memcpy(next, place, setup->dimensions * sizeof *next);
+    if (along) {
+        const clod_population_dice dice = {uniform(self), uniform(self), uniform(self)};
+        inside = clod_population_propose(of, setup->dimensions, &dice, place, next);
     }
-    if (setup->choices > 0) {
-        size_t *one = &chosen[self->turn++ % setup->choices];
-        const size_t before = *one;
-        *one = below(uniform(self), setup->options);
-        const double density =
-            *one != before ? density_at(self, place, chosen) : of->density[i];
-        if (accepts(self, density, of->density[i])) {
-            of->density[i] = density;
-        } else {
-            *one = before;
-        }
+    size_t none = 0;
+    size_t *one =
+        anew ? &of->chosen[i * setup->choices + self->turn++ % setup->choices] : &none;
+    const size_t before = *one;
+    *one = anew ? below(uniform(self), setup->options) : before;
+    const double density =
+        inside ? density_at(self, next, of->chosen + i * setup->choices) : -HUGE_VAL;
+    if (accepts(self, density, of->density[i])) {
+        memcpy(place, next, setup->dimensions * sizeof *next);
+        of->density[i] = density;
+    } else {
+        *one = before;
+    }
+}
+
+static void move(course *self, size_t i)
+{
+    step(self, i, true, false);
+    if (self->setup->choices > 0) {
+        step(self, i, false, true);
+        step(self, i, true, true);
     }
 }
 

@@ -181,12 +181,13 @@ static bool relate(const clod_posterior_runs *runs, clod_posterior *self, clod_s
 }
 
 /** Chains from a population, and whether they went wherever it is. */
-static bool walk(clod_chain_setup *setup, clod_posterior *self, clod_status *status)
+static bool walk(const clod_chain_setup *alone, clod_posterior *self, clod_status *status)
 {
     clod_population population;
-    bool good = clod_population_create(setup, MEMBERS, &population, status);
-    setup->population = &population;
-    good = good && (clod_chain_run(setup, self->samples, self->chosen, &self->accepted) ||
+    bool good = clod_population_create(alone, MEMBERS, &population, status);
+    clod_chain_setup setup = *alone;
+    setup.population = &population;
+    good = good && (clod_chain_run(&setup, self->samples, self->chosen, &self->accepted) ||
                     clod_stop_fail(status));
     self->missed = good ? clod_posterior_look_missed(self, population.places, MEMBERS) : 0.0;
     clod_population_fini(&population);
@@ -200,16 +201,16 @@ static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_s
                   clod_posterior_room(self, 0),
                   clod_memory_alloc(clod_misfit_room(self->misfit), sizeof(double))};
     const bool good = of.told != NULL && of.room != NULL && of.misfit_room != NULL;
-    clod_chain_setup setup = {.dimensions = self->dimensions,
-                              .chains = CLOD_POSTERIOR_CHAINS,
-                              .warm_up = WARM_UP,
-                              .kept = self->count / CLOD_POSTERIOR_CHAINS,
-                              .choices = self->used,
-                              .options = self->draws,
-                              .seed = (uint64_t)plan->seed,
-                              .density = log_density,
-                              .context = &of,
-                              .stop = runs->stop};
+    const clod_chain_setup setup = {.dimensions = self->dimensions,
+                                    .chains = CLOD_POSTERIOR_CHAINS,
+                                    .warm_up = WARM_UP,
+                                    .kept = self->count / CLOD_POSTERIOR_CHAINS,
+                                    .choices = self->used,
+                                    .options = self->draws,
+                                    .seed = (uint64_t)plan->seed,
+                                    .density = log_density,
+                                    .context = &of,
+                                    .stop = runs->stop};
     const bool done =
         good ? walk(&setup, self, status)
              : clod_status_fail(status, CLOD_FAILED, "No memory for the Markov chains.");

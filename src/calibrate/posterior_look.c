@@ -18,10 +18,9 @@
 
 #define LOOKED 2000 ///< samples at which the targets are predicted
 #define EDGE 0.05
-#define MISSED                                                                                 \
-    0.05 ///< share of a population that chains may leave out: what is behind an interval of 90 %
-#define ALONG 21  ///< places along the range of a parameter
-#define DICE 1000 ///< stream of random numbers beside those of the chains
+#define MISSED 0.2 ///< share of a population that chains may leave out: its shares are rough
+#define ALONG 21   ///< places along the range of a parameter
+#define DICE 1000  ///< stream of random numbers beside those of the chains
 
 void clod_posterior_look_ask(const clod_posterior *self, const double *place,
                              const size_t *chosen, clod_surrogate_value *told, double *room)

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "analysis/cells.h"
 #include "base/input.h"
 #include "base/memory.h"
 #include "clod/version.h"
@@ -186,9 +187,9 @@ static void put_point(FILE *out, const clod_hopper_field *how, const clod_curve_
 {
     static const clod_hopper_field STRESS = {"", "", "kPa", 1e-3, 1.0, 3, NULL};
     clod_hopper_cells_put(out, &STRESS, point->x);
-    clod_hopper_cells_put(out, &STRESS, point->x_error);
+    clod_hopper_cells_put(out, &STRESS, clod_cells_error(point->x_error));
     clod_hopper_cells_put(out, how, point->y);
-    clod_hopper_cells_put(out, how, point->y_error);
+    clod_hopper_cells_put(out, how, clod_cells_error(point->y_error));
     fputs("</tr>\n", out);
 }
 

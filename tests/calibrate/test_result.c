@@ -123,11 +123,13 @@ static void few_samples_are_told_from_chains_that_disagree(void **state)
     assert_false(warns_of_chains(1.014, 401.0, "independent"));
 }
 
-/** Posterior of 9 points on u (1 - u) with a measured value and an error: 0.16 is there at u = 0.2 and at 0.8, and 0.6 apart
- *  the chains do not find from one to the other; 0.35, which nothing gives, is nearest in the middle. */
-static clod_posterior *of_a_parabola(plan_made *made, double value, bool *apart)
+/** Posterior of 9 points on u (1 - u) with a measured value and an error: 0.16 is there at u = 0.2 and at 0.8; 0.35, which
+ *  nothing gives, is nearest in the middle. @param samples of each chain: halves of two have no scatter of their
+ *  own, and R-hat is infinite where they differ */
+static clod_posterior *of_a_parabola(plan_made *made, double value, int samples, bool *apart)
 {
     plan_make(made, 1, 1);
+    made->plan.sampling.samples = samples;
     made->plan.seeds = 1;
     made->targets[0].value = value;
     made->targets[0].error = 0.002;
@@ -174,7 +176,7 @@ static void chains_that_lie_apart_have_no_result(void **state)
     plan_made made;
     bool apart;
     char *texts[4];
-    clod_posterior *self = of_a_parabola(&made, 0.16, &apart);
+    clod_posterior *self = of_a_parabola(&made, 0.16, 2, &apart);
     assert_true(apart);
     assert_true(self->parameters[0].rhat > 1.5);
     assert_true(isnan(self->parameters[0].mean) && isnan(self->parameters[0].low));
@@ -205,7 +207,7 @@ static void chains_that_agree_have_one(void **state)
     plan_made made;
     bool apart;
     char *texts[4];
-    clod_posterior *self = of_a_parabola(&made, 0.35, &apart);
+    clod_posterior *self = of_a_parabola(&made, 0.35, 2000, &apart);
     assert_false(apart);
     check_close(self->parameters[0].mean, 0.5, 0.02);
     tell(&made, self, texts);

@@ -168,19 +168,19 @@ def shear(folder, shift=0.0, key="ring_shear"):
 
 def calibration(folder):
     """A finished calibration of two parameters and three targets, one of them held back. The posterior of a is even from 0.4 to 0.65."""
-    about = {"mean": 0.523456, "low": 0.412345, "high": 0.634567, "unit": "N/m^1.5", "from": 0.0, "to": 1.0, "scale": "linear",
+    about = {"mean": 0.523456, "card": 0.534567, "low": 0.412345, "high": 0.634567, "unit": "N/m^1.5", "from": 0.0, "to": 1.0, "scale": "linear",
              "relative_width": 0.22, "identified": "yes", "rhat": 1.0012, "effective_samples": 812.3}
-    steep = {**about, "mean": 3e-4, "low": 2.2e-4, "high": 3.8e-4, "unit": "J", "from": 1e-4, "to": 1e-3, "scale": "log"}
+    steep = {**about, "mean": 3e-4, "card": 3e-4, "low": 2.2e-4, "high": 3.8e-4, "unit": "J", "from": 1e-4, "to": 1e-3, "scale": "log"}
     at, small = [0.1 * k for k in range(11)], [1e-4 * (k + 1) for k in range(10)]
     sections = {"a": {"at": at, "mean": [30 + 7 * x for x in at], "deviation": [0.5] * 11},
                 "b": {"at": small, "mean": [30 + 7e3 * x for x in small], "deviation": [0.5] * 10}}
-    target = {"name": "ring: phi_e", "measured": 33.5, "error": 0.6, "discrepancy": 0.5, "model": 33.6, "low": 32.5, "high": 34.7,
+    target = {"name": "ring: phi_e", "measured": 33.5, "error": 0.6, "discrepancy": 0.5, "model": 33.6, "card": 33.7, "low": 32.5, "high": 34.7,
               "unit": "deg", "off": 0.1, "held_back": False,
               "surrogate": {"kind": "gaussian process", "runs": 8, "packing_deviation": 0.4, "least_packing_deviation": 0.25,
                             "greatest_packing_deviation": 0.625, "left_out_error": 0.51, "q2": 0.93, "within_two_deviations": 0.95,
                             "sections": sections}}
     kept = {**target, "name": "ring: phi_sf", "measured": 30.25, "model": 29.5, "low": 28.0, "high": 31.0, "held_back": True}
-    other = {**target, "name": "ring: sigma_c", "unit": "kPa", "measured": 7.5, "error": 0.25, "model": 7.25, "low": 6.5, "high": 8.0}
+    other = {**target, "name": "ring: sigma_c", "unit": "kPa", "measured": 7.5, "error": 0.25, "model": 7.25, "card": 7.5, "low": 6.5, "high": 8.0}
     write(folder, calibration__json={"version": "clod 10 (def)", "written": "2001-02-03T04:05:06.789Z",
                                      "title": "Two stiffnesses", "level": 0.9, "p_value": 0.4, "chi_square": 1.3, "warnings": ["none"],
                                      "plan": "plan.yaml", "points": 8, "packings": 1, "failed_runs": 0,
