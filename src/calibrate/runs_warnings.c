@@ -99,7 +99,7 @@ void clod_runs_warn(const clod_runs *self, clod_warning_list *to)
         const kind *one = &all.kinds[k];
         char name[CLOD_RUNS_NAME];
         clod_runs_name(plan, one->first, "", name);
-        clod_warning_list_add(to, "%zu run%s of test %s warn%s, the first of them %s: %.300s",
+        clod_warning_list_add(to, "%zu run%s of test %s warn%s, the first of them %s: %s",
                               one->runs, clod_plural((double)one->runs),
                               plan->tests[one->test].name, one->runs == 1 ? "s" : "", name,
                               one->text);

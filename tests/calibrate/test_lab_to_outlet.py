@@ -47,7 +47,7 @@ class Page(page.Case):
             card = re.search(r"pull_off_force: (\S+) mN # 90 %: (\S+) mN to (\S+) mN(?:;.*)?\n", file.read())
         told = [text for command, text in page.steps(PAGE) if command.startswith("clod calibrate plan.yaml -o")]
         self.assertEqual(len(told), 1)
-        row = re.search(r"^  pull_off_force +(\S+) +(\S+) +(\S+)  mN ", told[0], re.MULTILINE)
+        row = re.search(r"^  pull_off_force +(\S+) +(\S+) +(\S+) +\S+  mN ", told[0], re.MULTILINE)
         self.assertEqual(row.groups(), card.groups())
 
     def test_dear_commands_are_in_order(self):
