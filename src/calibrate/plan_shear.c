@@ -139,18 +139,32 @@ static const clod_locus_value *mean_at(const clod_locus *locus, const column *of
     return (const clod_locus_value *)(const void *)((const char *)locus + of->mean);
 }
 
-/** Standard error of the mean of a column: from scatter and the table's errors, or else from the plan's of each
- *  preshear, whichever is larger (as clod_mean_of has it). */
+/** Points of a specimen. */
+static double points_of(const clod_locus *locus, int64_t seed)
+{
+    double count = 0.0;
+    for (size_t k = 0; k < locus->point_count; k++) {
+        count += locus->marks[k].seed == seed ? 1.0 : 0.0;
+    }
+    return count;
+}
+
+/** Standard error of the mean of a column over specimens: from their scatter, or from the table's errors, or else the
+ *  plan's, of each, whichever is larger (as clod_mean_of has it). */
 static double mean_error(const clod_locus *locus, const clod_locus_point *points,
                          const column *of, double given)
 {
     const double error = mean_at(locus, of)->error;
     const double told = isfinite(error) ? error : 0.0;
+    const double specimens = (double)locus->preshear_count;
     bool stated = true;
+    double squares = 0.0;
     for (size_t k = 0; k < locus->point_count; k++) {
-        stated = stated && number_at(&points[locus->marks[k].index], of->error) > 0.0;
+        const double one = number_at(&points[locus->marks[k].index], of->error);
+        stated = stated && one > 0.0;
+        squares += one * one / points_of(locus, locus->marks[k].seed);
     }
-    return stated ? told : fmax(told, given / sqrt((double)locus->preshear_count));
+    return fmax(told, stated ? sqrt(squares) / specimens : given / sqrt(specimens));
 }
 
 /** Mean of a specimen over the points that tell it, one at least. */

@@ -161,7 +161,7 @@ static bool accepts(course *self, double density, double before)
     return density > -HUGE_VAL && log(uniform(self)) < self->power * (density - before);
 }
 
-/** A step of one member: along the difference of two others, one of its whole numbers drawn anew, or both at once, since
+/** A step of one member: along the difference of two members, one of its whole numbers drawn anew, or both at once, since
  *  another draw may have its summit elsewhere. */
 static void step(course *self, size_t i, bool along, bool anew)
 {

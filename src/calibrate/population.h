@@ -17,7 +17,7 @@ typedef struct clod_population {
 
 /**
  * Draw them by a sequence of powers of the density, from 0 to 1. At each they are drawn anew by their weights, and
- * each steps along the difference of two others, draws one of its whole numbers anew, and does both at once.
+ * each steps along the difference of two members, draws one of its whole numbers anew, and does both at once.
  *
  * @param setup  dimensions, choices, options, seed, stream (behind those of its chains), density and stop
  * @param self   [out] owned content (clod_population_fini), in any case

@@ -13,30 +13,31 @@
 #define GAP 0.1   ///< of the samples on either side
 #define GROUP 0.05
 
-/** Sum over the used targets of the square of what is missed over its variance. */
-static double misfit(const clod_plan *plan, const clod_surrogate_value *told,
-                     const double *variances)
+/** Sum over the used targets of the square of what is missed over its variance. Errors that are not known count as they
+ *  are estimated: those drawn with a sample are the larger, the more it misses. */
+static double misfit(const clod_plan *plan, const clod_surrogate_value *told)
 {
     double sum = 0.0;
     for (size_t t = 0; t < plan->target_count; t++) {
-        const double away = plan->targets[t].value - told[t].mean;
-        sum += plan->targets[t].held_back ? 0.0 : away * away / variances[t];
+        const clod_plan_target *target = &plan->targets[t];
+        const double away = target->value - told[t].mean;
+        sum += target->held_back
+                   ? 0.0
+                   : away * away / (clod_posterior_variance(target) + told[t].variance);
     }
     return sum;
 }
 
 /** What all surrogates tell at a place. */
 static double look(const clod_plan *plan, const clod_posterior *self, const double *place,
-                   const clod_posterior_sight *at, clod_surrogate_value *told,
-                   double *variances)
+                   const clod_posterior_sight *at, clod_surrogate_value *told)
 {
     for (size_t t = 0; t < plan->target_count; t++) {
         told[t] = self->targets[t].surrogate != NULL
                       ? clod_posterior_told(self, t, place, at->room)
                       : (clod_surrogate_value){(double)NAN, (double)NAN};
-        variances[t] = clod_posterior_variance(&plan->targets[t]) + told[t].variance;
     }
-    return misfit(plan, told, variances);
+    return misfit(plan, told);
 }
 
 /** Square of the distance from the means, in deviations. */
@@ -74,12 +75,11 @@ bool clod_posterior_card_choose(const clod_plan *plan, const clod_posterior_sigh
     const size_t targets = plan->target_count;
     double *misfits = clod_memory_alloc(2 * at->looked, sizeof *misfits);
     clod_surrogate_value *told = clod_memory_alloc(targets, sizeof *told);
-    double *variances = clod_memory_alloc(targets, sizeof *variances);
-    const bool good = misfits != NULL && told != NULL && variances != NULL;
+    const bool good = misfits != NULL && told != NULL;
     if (good) {
         double *sorted = misfits + at->looked;
         for (size_t i = 0; i < at->looked; i++) {
-            misfits[i] = misfit(plan, at->told + i * targets, at->variances + i * targets);
+            misfits[i] = misfit(plan, at->told + i * targets);
         }
         memcpy(sorted, misfits, at->looked * sizeof *sorted);
         gsl_sort(sorted, 1, at->looked);
@@ -87,13 +87,13 @@ bool clod_posterior_card_choose(const clod_plan *plan, const clod_posterior_sigh
             self->card[k] = self->parameters[k].mean;
         }
         const double most = gsl_stats_quantile_from_sorted_data(sorted, 1, at->looked, MEETS);
-        self->card_is_mean = look(plan, self, self->card, at, told, variances) <= most;
+        self->card_is_mean = look(plan, self, self->card, at, told) <= most;
         if (!self->card_is_mean) {
             const double best =
                 gsl_stats_quantile_from_sorted_data(sorted, 1, at->looked, BEST);
             memcpy(self->card, nearest(self, misfits, at->looked, best),
                    self->dimensions * sizeof *self->card);
-            (void)look(plan, self, self->card, at, told, variances);
+            (void)look(plan, self, self->card, at, told);
         }
         for (size_t t = 0; t < targets; t++) {
             self->targets[t].at_card = told[t].mean;
@@ -101,7 +101,6 @@ bool clod_posterior_card_choose(const clod_plan *plan, const clod_posterior_sigh
     }
     clod_memory_free(misfits);
     clod_memory_free(told);
-    clod_memory_free(variances);
     return good || clod_status_fail(status, CLOD_FAILED, "No memory for the card.");
 }
 

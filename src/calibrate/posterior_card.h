@@ -10,13 +10,12 @@
 typedef struct clod_posterior_sight {
     size_t looked;                    ///< samples, spread evenly over all
     const clod_surrogate_value *told; ///< [looked][targets]
-    const double *variances; ///< [looked][targets] of a measured value about what is told
-    double *room;            ///< clod_posterior_room
+    double *room;                     ///< clod_posterior_room
 } clod_posterior_sight;
 
 /**
  * Choose the card's place: the means, as long as they do not miss the used targets by more than nine of ten samples do;
- * else the sample nearest to them, in deviations, of the tenth that meets the targets best. On a bent ridge, or between
+ * else the sample nearest to them, in deviations, of the tenth that misses the targets least. On a bent ridge, or between
  * two answers, the means together are a place that no target allows. Fills `card`, `card_is_mean`, and of each target
  * `at_card`.
  *

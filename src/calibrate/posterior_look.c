@@ -258,7 +258,7 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
         take_back(self);
         return true;
     }
-    const clod_posterior_sight card = {at->looked, at->told, at->variances, at->room};
+    const clod_posterior_sight card = {at->looked, at->told, at->room};
     return clod_posterior_card_choose(plan, &card, self, status);
 }
 

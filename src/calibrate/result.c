@@ -256,8 +256,9 @@ static void warn_card(clod_result *self)
     if (!from->card_is_mean) {
         clod_warning_list_add(
             &self->warnings,
-            "The means of the parameters together miss the targets, as on a bent ridge or between separate answers, so the "
-            "card is not of them: it has a sample of the posterior near them that meets the targets (column card).");
+            "The means of the parameters together miss the targets by more than samples do, as on a bent ridge or between "
+            "separate answers, so the card is not of them: it has a sample of the posterior near them, of the tenth that "
+            "misses the targets least (column card).");
     }
 }
 

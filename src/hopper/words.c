@@ -131,9 +131,16 @@ bool clod_words_line(const clod_hopper *self, char text[CLOD_WORDS_MOST])
     int more = at->weighted ? snprintf(text + used, room, "points weighted by their errors")
                             : snprintf(text + used, room, "all points alike, since %s", why);
     if (at->freedom > 0) {
+        char chance[32] = "below 0.001", wider[64] = "";
+        if (at->chance >= 1e-3) {
+            snprintf(chance, sizeof chance, "%.2g", at->chance);
+        }
+        if (at->stretch > 1.0) {
+            snprintf(wider, sizeof wider, ", errors of the line times %.3g", at->stretch);
+        }
         snprintf(text + used + more, room - (size_t)more,
-                 "; chi-square %.3g, degrees of freedom %zu, p %.2f.", at->chi_square,
-                 at->freedom, at->chance);
+                 "; chi-square %.3g, degrees of freedom %zu, p %s%s.", at->chi_square,
+                 at->freedom, chance, wider);
     } else {
         snprintf(text + used + more, room - (size_t)more, ".");
     }

@@ -219,6 +219,16 @@ static void error_of_a_preshear(void **state)
     assert_true(plan.targets[0].repeats.estimate);
     check_close(plan.targets[0].repeats.differences[0].value, -1e3, 1e-6);
     clod_plan_fini(&plan);
+    // errors of 1, 2 and 2 kPa: of their mean 3 kPa/3 = 1 kPa, more than the 0.577 of the scatter
+    lab_write_file(state, "lab.csv",
+                   "seed," HEAD
+                   ",tau_pre_error [kPa]\n1,54.8,39,10.96,12.7,1\n1,54.8,39,43.84,35.7,1\n"
+                   "2,54.8,40,10.96,12.7,2\n2,54.8,40,43.84,35.7,2\n"
+                   "3,54.8,41,10.96,12.7,2\n3,54.8,41,43.84,35.7,2\n");
+    lab_load_good(state, RING, "locus: lab.csv, number: tau_p", &plan);
+    check_relative(plan.targets[0].error, 1e3, 1e-9);
+    assert_false(plan.targets[0].repeats.estimate);
+    clod_plan_fini(&plan);
     lab_refuse(state, RING, "locus: lab.csv, number: phi_e",
                "of such a table it is tau, rho_b or tau_p");
 }

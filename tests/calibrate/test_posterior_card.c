@@ -143,6 +143,34 @@ static void a_card_between_two_answers_is_one_of_them(void **state)
     clod_posterior_destroy(&self);
 }
 
+static double line(double u, double v)
+{
+    (void)v;
+    return 1.0 + 0.1 * u;
+}
+
+/** A target far from what any place gives, whose error is estimated from three specimens: all places miss it alike, so the
+ *  means are as good as a sample, however large the errors are that are drawn with the samples. */
+static void a_card_that_misses_alike_everywhere_has_the_means(void **state)
+{
+    (void)state;
+    for (int far = 0; far < 2; far++) {
+        plan_made made;
+        plan_make(&made, 2, 1);
+        clod_plan_target *target = &made.targets[0];
+        target->value = far == 0 ? 1.4 : 0.5;
+        target->error = 0.05;
+        target->repeats.count = 3;
+        target->repeats.estimate = true;
+        for (int k = 0; k < 3; k++) {
+            target->repeats.differences[k] = (clod_plan_difference){101 + k, 0.087 * (k - 1)};
+        }
+        clod_posterior *self = make(&made, line);
+        assert_true(self->card_is_mean);
+        clod_posterior_destroy(&self);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -151,6 +179,7 @@ int main(void)
         cmocka_unit_test(a_card_of_a_bent_ridge_lies_on_it),
         cmocka_unit_test(a_card_of_a_straight_ridge_has_the_means),
         cmocka_unit_test(a_card_between_two_answers_is_one_of_them),
+        cmocka_unit_test(a_card_that_misses_alike_everywhere_has_the_means),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

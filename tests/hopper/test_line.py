@@ -87,6 +87,8 @@ class Line(Case):
         chi_square = weighted(CURVED)[2]
         self.assertIn(f"chi-square {chi_square:.1f}, degrees of freedom 2, p below 0.001", said[0])
         self.assertIn(f"are taken as {math.sqrt(chi_square / 2):.1f} times as large", said[0])
+        text = " ".join(self.hopper("case.yaml").stdout.split())
+        self.assertIn(f"degrees of freedom 2, p below 0.001, errors of the line times {math.sqrt(chi_square / 2):.3g}.", text)
         other = self.found("--set", "flow_function.curve=points")
         outlets = {shape: other[shape]["outlet_m"]["value"] for shape in ("cone", "wedge")}
         told = {shape: f"{1e3 * value:.1f} mm" if value else "0 (no arch)" for shape, value in outlets.items()}
