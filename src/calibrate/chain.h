@@ -38,7 +38,8 @@ typedef struct clod_chain_setup {
  * Sample. Proposals are normal with the chain's own covariance, times a scale that brings the accepted
  * share near 0.3; both are found in the warm-up and fixed afterwards. With a population each chain starts at a member of
  * it, and each normal step is followed by four along differences of two members: to another summit, or along a ridge;
- * in every second one a whole number is drawn anew, too. Then one of the whole numbers is drawn anew and accepted by the ratio of the densities, each in its turn.
+ * in every second one a whole number is drawn anew, too. Then one of the whole numbers is drawn anew and accepted by the
+ * ratio of the densities, each in its turn.
  *
  * @param samples   [out] [chains][kept][dimensions]
  * @param chosen    [out] [chains][kept][choices]; NULL without choices
