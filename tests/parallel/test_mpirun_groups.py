@@ -21,6 +21,9 @@ UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
 JENIKE = clod.source("tests/restart/jenike.yaml")
 WALL_FRICTION = clod.source("tests/parallel/wall_friction.yaml")
 SHORT = ("--set", "ring_shear.preshear_min=2 mm", "--set", "ring_shear.preshear_max=4 mm")
+# Seconds of preshear: a seed with a rank of its own is not at its end before the other, with two, has begun.
+LONG = ("--set", "ring_shear.preshear_min=20 mm", "--set", "ring_shear.preshear_max=20 mm",
+        "--set", "ring_shear.speed=20 mm/s")
 SEEDS = ("--set", "ring_shear.seeds=2")
 PARTS = [f"seed-{seed}-{part}" for seed in (7, 8)
          for part in ("preshear", "reverse", "point-1", "point-2")]
@@ -44,9 +47,9 @@ class Groups(rank_groups.Groups):
         return process
 
     def test_a_signal_to_rank_0_stops_all_parts(self):
-        one, _ = self.alone(RING, *SHORT, *SEEDS)
+        one, _ = self.alone(RING, *LONG, *SEEDS)
         out = self.path("several")
-        process = self.start(3, out, *SHORT)  # two of them on one seed
+        process = self.start(3, out, *LONG)  # two of them on one seed
         with open(f"{out}/.clod-lock") as lock:
             os.kill(int(lock.read()), signal.SIGTERM)
         _, error = process.communicate(timeout=600)
@@ -54,7 +57,7 @@ class Groups(rank_groups.Groups):
         self.assertIn("the same command goes on", error)
         stopped = [event["part"] for event in clod.log(out) if event["event"] == "stopped"]
         self.assertEqual(sorted(stopped), ["seed-7-preshear", "seed-8-preshear"])
-        done = run(2, RING, "-o", out, *SHORT, *SEEDS)
+        done = run(2, RING, "-o", out, *LONG, *SEEDS)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same_end(one, out, PARTS)
         resumed = [event["part"] for event in clod.log(out) if event["event"] == "resume"]
@@ -62,7 +65,7 @@ class Groups(rank_groups.Groups):
 
     def test_a_request_to_save_reaches_all_parts(self):
         out = self.path("several")
-        process = self.start(2, out)
+        process = self.start(2, out, *LONG)
         with open(f"{out}/.clod-lock") as lock:
             rank = int(lock.read())
         os.kill(rank, signal.SIGUSR1)
