@@ -1,6 +1,9 @@
 # bench/bench_NAME.c is a program that measures; the other sources of bench are shared by them.
 # Built by `ninja bench` (make bench), and with the checks, which count the instructions of a step.
 file(GLOB CLOD_BENCHES CONFIGURE_DEPENDS bench/bench_*.c)
+if(NOT CLOD_CALIBRATE_TARGET)
+  list(FILTER CLOD_BENCHES EXCLUDE REGEX bench_fit)
+endif()
 add_library(clod_bench STATIC EXCLUDE_FROM_ALL bench/bed.c bench/rank_watch.c bench/resident.c bench/stages.c)
 target_link_libraries(clod_bench PUBLIC clod_core)
 add_custom_target(bench)
@@ -16,6 +19,10 @@ foreach(source IN LISTS CLOD_BENCHES)
 endforeach()
 
 target_include_directories(bench_ranks PRIVATE tests) # ranks as threads
+if(TARGET bench_fit)
+  target_include_directories(bench_fit PRIVATE tests) # plans without files
+  target_link_libraries(bench_fit PRIVATE clod_calibrate)
+endif()
 
 # bench/machine_set.c once per instruction set, with the flags of the kernels; once more where
 # the set has fused multiply-add, with leave to use it.

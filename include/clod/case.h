@@ -184,6 +184,9 @@ typedef struct clod_case_time {
     double overlap_limit;  ///< fraction of the smaller radius at which a run stops
 } clod_case_time;
 
+/** Acceleration of shear to its speed, m/s2: below it the inertia of a bed stays below 1 % of its shear stress. */
+#define CLOD_CASE_SHEAR_ACCELERATION 3.0
+
 /** What the operator of a shear tester does with the specimen (docs/theory/ring-shear.md). */
 typedef struct clod_case_programme {
     double preshear_stress; ///< Pa

@@ -76,13 +76,17 @@ static void check_ways(clod_loader *loader, const char *section,
         return;
     }
     const double blocks = (double)programme->steady_blocks * programme->block_displacement;
-    if (blocks > programme->preshear_max * (1.0 + 1e-9)) { // products of decimal numbers round
+    const double start =
+        0.5 * programme->speed * programme->speed / CLOD_CASE_SHEAR_ACCELERATION;
+    // products of decimal numbers round, and the start is a whole number of looks
+    if (start + blocks > programme->preshear_max + 0.005 * programme->block_displacement) {
         clod_check_fail(loader,
                         written(loader, section, "preshear_max", "block_displacement", path),
                         "preshear can never be steady: %lld blocks (steady_blocks) of %.10g m "
-                        "(block_displacement) are longer than preshear_max = %.10g m",
+                        "(block_displacement) behind the %.3g m on which it comes to its speed "
+                        "are longer than preshear_max = %.10g m",
                         (long long)programme->steady_blocks, programme->block_displacement,
-                        programme->preshear_max);
+                        start, programme->preshear_max);
     }
     if (programme->preshear_min > programme->preshear_max) {
         clod_check_fail(loader, written(loader, section, "preshear_max", "preshear_min", path),

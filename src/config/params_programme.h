@@ -49,15 +49,17 @@
         CLOD_PROGRAMME_REAL(type, steady_tolerance, "1", "2 %",                                \
                             "How well the blocks must agree, relative to their mean.",         \
                             "docs/theory/ring-shear.md", CLOD_ABOVE(0, 1))
-#define CLOD_PROGRAMME_PRESHEAR(type, least, most, why)                                        \
-    CLOD_PROGRAMME_REAL(                                                                       \
-        type, preshear_min, "m", least,                                                        \
-        "Preshear goes on until here even when the shear stress is level already. " why,       \
-        "docs/theory/ring-shear.md", CLOD_FROM(0, 100)),                                       \
-        CLOD_PROGRAMME_REAL(                                                                   \
-            type, preshear_max, "m", most,                                                     \
-            "Preshear stops here at the latest; when the shear stress is not "                 \
-            "steady by then, the result tells how fast it still changes. " why,                \
+#define CLOD_PROGRAMME_PRESHEAR(type, least, most, why)                                          \
+    CLOD_PROGRAMME_REAL(                                                                         \
+        type, preshear_min, "m", least,                                                          \
+        "Preshear goes on until here even when the shear stress is level already; then it ends " \
+        "with a block. " why,                                                                    \
+        "docs/theory/ring-shear.md", CLOD_FROM(0, 100)),                                         \
+        CLOD_PROGRAMME_REAL(                                                                     \
+            type, preshear_max, "m", most,                                                       \
+            "Preshear stops here at the latest, whatever the speed: blocks are counted back "    \
+            "from here. When the shear stress is not steady by then, the result tells how "      \
+            "fast it still changes. " why,                                                       \
             "docs/theory/ring-shear.md", CLOD_ABOVE(0, 100))
 #define CLOD_PROGRAMME_WAYS(type, shear, beyond, window, why)                                  \
     CLOD_PROGRAMME_REAL(type, shear_max, "m", shear,                                           \

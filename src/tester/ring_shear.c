@@ -10,7 +10,6 @@
 // The programme below is the operator's hand: none of these numbers is a property of the solid,
 // and the results folder shows what each did. Displacements are at the mean radius r_m.
 #define TOUCH_FRACTION 0.05 ///< of the preshear stress: the lid carries
-#define ACCELERATION 3.0    ///< m/s2: below it the inertia of the bed stays below 1 % of tau
 #define FINE_STEPS 50       ///< steps per look while the speed changes
 #define BLOCK_SAMPLES 50    ///< samples per block of preshear
 
@@ -86,6 +85,18 @@ static int64_t steps_for(double displacement, double speed, const clod_state *st
     return (int64_t)fmax(1.0, round(displacement / (speed * state->dt)));
 }
 
+/** Way [m] from a displacement of preshear to where its first block begins, so that blocks end at preshear_max,
+ *  whatever the speed and the way of coming to it; 0: within half a sample. */
+static double way_to_blocks(const clod_ring_shear *self, double displacement)
+{
+    if (self->steady.block_count > 0 || self->steady.samples > 0) {
+        return 0.0; // it has begun
+    }
+    const double block = self->block_displacement, half = 0.5 * block / BLOCK_SAMPLES;
+    const double way = fmod(self->preshear_max - displacement, block);
+    return way > half && way < block - half ? way : 0.0;
+}
+
 int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *state)
 {
     if (self->phase == CLOD_RING_SHEAR_DONE) {
@@ -96,7 +107,9 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
         return FINE_STEPS;
     }
     if (self->phase == CLOD_RING_SHEAR_PRESHEAR) {
-        return steps_for(self->block_displacement / BLOCK_SAMPLES, self->speed, state);
+        const double sample = self->block_displacement / BLOCK_SAMPLES;
+        const double way = way_to_blocks(self, self->displacement);
+        return steps_for(way > 0.0 ? fmin(way, sample) : sample, self->speed, state);
     }
     if (self->phase == CLOD_RING_SHEAR_SHEAR) { // a sample for every bin of the peak at least
         const int64_t bin =
@@ -161,7 +174,8 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
 static void after_twist(clod_ring_shear *self, clod_state *state, double interval)
 {
     set_stress(self, state, self->target_stress);
-    if (clod_shear_tester_of(self)->twist(self, state, ACCELERATION * interval)) {
+    if (clod_shear_tester_of(self)->twist(self, state,
+                                          CLOD_CASE_SHEAR_ACCELERATION * interval)) {
         self->target_speed = self->speed;
         enter(self, state, CLOD_RING_SHEAR_PRESHEAR);
     }
@@ -198,19 +212,24 @@ static void note_inside(clod_ring_shear *self, const clod_state *state)
     self->preshear_inside = clod_inside_density(&bed, state);
 }
 
-static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
+/** @param way  [m] of shear before this look */
+static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row,
+                           double way)
 {
     set_stress(self, state, self->target_stress);
-    if (!clod_shear_tester_of(self)->is_at_speed(self, state)) {
+    if (!clod_shear_tester_of(self)->is_at_speed(self, state) ||
+        way_to_blocks(self, way) > 0.0) {
         return;
     }
     const bool level =
         clod_steady_add(&self->steady, row[CLOD_RING_SHEAR_SHEAR_STRESS],
                         row[CLOD_RING_SHEAR_HEIGHT], row[CLOD_RING_SHEAR_NORMAL_STRESS]);
-    const bool steady = level && self->displacement >= self->preshear_min;
-    // never without the blocks that a mean with an error needs, however short the limit
-    const bool late = self->displacement + self->block_displacement > self->preshear_max &&
-                      self->steady.block_count >= CLOD_STEADY_MIN;
+    // to the nearest block, whose way is a whole number of steps; and never without the blocks that a
+    // mean with an error needs, however short the limit
+    const bool late =
+        self->displacement + 0.5 * self->block_displacement > self->preshear_max &&
+        self->steady.block_count >= CLOD_STEADY_MIN;
+    const bool steady = level && (late || self->displacement >= self->preshear_min);
     if (self->steady.samples > 0 || (!steady && !late)) {
         return; // at the end of a block only: what is told is told of where preshear ended
     }
@@ -263,7 +282,7 @@ static void slew(const clod_ring_shear *self, clod_state *state, double interval
     const clod_shear_tester *tester = clod_shear_tester_of(self);
     const double now = tester->speed(self, state);
     const double change = self->target_speed - now;
-    const double most = ACCELERATION * interval;
+    const double most = CLOD_CASE_SHEAR_ACCELERATION * interval;
     if (!tester->is_at_speed(self, state)) {
         tester->set_speed(self, state,
                           fabs(change) <= most ? self->target_speed
@@ -304,6 +323,7 @@ bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *ro
 {
     const double interval = (double)clod_bed_wall(state, "lid")->sum_steps * state->dt;
     const double in_phase = (double)state->step * state->dt - self->phase_start;
+    const double way = self->displacement;
     self->displacement += sheared(self, state) * interval;
     clod_shear_tester_measure(self, state, row);
     clod_walls_reset_sums(&state->walls);
@@ -322,7 +342,7 @@ bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *ro
         after_twist(self, state, interval);
         break;
     case CLOD_RING_SHEAR_PRESHEAR:
-        after_preshear(self, state, row);
+        after_preshear(self, state, row, way);
         break;
     case CLOD_RING_SHEAR_REVERSE:
         after_reverse(self, state, row);

@@ -12,7 +12,6 @@
 // The operator's hand, as in the ring shear test: none of these numbers is a property of the
 // solid, and the results folder shows what each did.
 #define TOUCH_FRACTION 0.05 ///< of the largest stress: the lid carries
-#define ACCELERATION 3.0    ///< m/s2: below it the inertia of the bed stays below 1 % of tau
 #define FINE_STEPS 50       ///< steps per look while the speed changes
 #define BLOCK_SAMPLES 25    ///< samples per block
 
@@ -364,7 +363,7 @@ static void slew(const clod_wall_shear *self, clod_state *state, double interval
 {
     const double now = speed_of(self, state);
     const double change = self->target_speed - now;
-    const double most = ACCELERATION * interval;
+    const double most = CLOD_CASE_SHEAR_ACCELERATION * interval;
     if (!is_at_speed(self, state)) {
         set_speed(self, state,
                   fabs(change) <= most ? self->target_speed : now + copysign(most, change));

@@ -37,7 +37,7 @@ class RingShear(clod.TesterCase):
         """Means over the last four or more blocks of 50 samples at full speed, of each number."""
         rows = [row for row in self.series["preshear"]
                 if row["phase"] == SHEARED and abs(row["speed"] / SPEED - 1.0) < 1e-12]
-        self.assertEqual(len(rows) % 50, 0)
+        rows = rows[len(rows) % 50:]  # before the first block: on a way whose end makes the last end at preshear_max
         return [clod.mean(rows[-50 * blocks:], column) for blocks in range(4, len(rows) // 50 + 1)]
 
     def mass(self):
@@ -241,8 +241,8 @@ class Provoked(clod.Case):
         return done.stdout
 
     def test_warnings(self):
-        text = self.report("--set", "ring_shear.preshear_min=3 mm", "--set",
-                           "ring_shear.preshear_max=3 mm", "--set",
+        text = self.report("--set", "ring_shear.preshear_min=5 mm", "--set",
+                           "ring_shear.preshear_max=5 mm", "--set",
                            "ring_shear.lid_damping=20")
         # so much damping that the lid does not come down to the grains in time
         for warning in ("; tau_p is where a line through the last blocks ends. Raise ring_shear",

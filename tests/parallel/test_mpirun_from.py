@@ -22,7 +22,7 @@ from rank_groups import run
 RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
 SEEDS = ("--set", "ring_shear.seeds=2", "--set", "ring_shear.preshear_min=2 mm",
-         "--set", "ring_shear.preshear_max=4 mm")
+         "--set", "ring_shear.preshear_max=5 mm")
 STRESSES = ("--set", "ring_shear.shear_stresses=[0.3 kPa, 0.6 kPa, 0.45 kPa]")
 PREPARED = [f"seed-{seed}-{part}" for part in ("preshear", "reverse") for seed in (7, 8)]
 POINTS = [f"seed-{seed}-point-{point}" for seed in (7, 8) for point in (1, 2, 3)]

@@ -20,7 +20,7 @@ RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
 JENIKE = clod.source("tests/restart/jenike.yaml")
 WALL_FRICTION = clod.source("tests/parallel/wall_friction.yaml")
-SHORT = ("--set", "ring_shear.preshear_min=2 mm", "--set", "ring_shear.preshear_max=4 mm")
+SHORT = ("--set", "ring_shear.preshear_min=2 mm", "--set", "ring_shear.preshear_max=5 mm")
 # Seconds of preshear: a seed with a rank of its own is not at its end before the other, with two, has begun.
 LONG = ("--set", "ring_shear.preshear_min=20 mm", "--set", "ring_shear.preshear_max=20 mm",
         "--set", "ring_shear.speed=20 mm/s")

@@ -17,8 +17,8 @@ class SideBySide(clod.Case):
     def series(self, threads, energy):
         out = self.path(f"out-{threads}-{energy}")
         done = clod.run("run", CASE, "-o", out, "--threads", str(threads),
-                        "--set", "ring_shear.preshear_min=3 mm",
-                        "--set", "ring_shear.preshear_max=3 mm",
+                        "--set", "ring_shear.preshear_min=5 mm",
+                        "--set", "ring_shear.preshear_max=5 mm",
                         "--set", f"output.energy={energy}")
         self.assertEqual(done.returncode, 0, done.stderr)
         return {name: clod.read(os.path.join(out, name)) for name in

@@ -50,7 +50,7 @@ class InsideDensity(clod.Case):
         with h5py.File(self.path(f"out/{last['name']}")) as file:
             centre = file["VTKHDF/Points"][:]
             radius = file["VTKHDF/PointData/radius"][:]
-        line = (numpy.arange(16) + 0.5) / 8 - 1  # another lattice of points in each grain than that of clod
+        line = (numpy.arange(32) + 0.5) / 16 - 1  # 17 000 points in each grain: within 0.05 % of the limit
         cube = numpy.stack(numpy.meshgrid(line, line, line), -1).reshape(-1, 3)
         ball = cube[(cube**2).sum(1) < 1]
         points = centre[:, None, :] + radius[:, None, None] * ball
@@ -60,7 +60,8 @@ class InsideDensity(clod.Case):
         preshear = summary["parts"][0]
         self.assertEqual(preshear["part"], "preshear")
         inside = preshear["inside_density_kg_m3"]
-        self.assertAlmostEqual(inside / counted, 1.0, delta=2e-3)
+        # 552 points in a grain, whose rows lie along the axes: a layer of a cell this small errs alike, by 0.3 %
+        self.assertAlmostEqual(inside / counted, 1.0, delta=5e-3)
         self.assertGreater(inside, 1.02 * preshear["bulk_density_kg_m3"])  # a cell a few grains wide
         self.assertLess(inside, 0.7 * DENSITY)
         locus = summary["locus"]["loci"][0]

@@ -31,7 +31,7 @@ mixing:
   mass: {{region: {BOX}, cell: 10 mm, above: 2.5 mm, by: mass}}
 """
 # Short: a sample of the grid takes as long as a thousand steps, and there is one in each row of a last phase.
-SHORT = (("preshear_max: 30 mm", "preshear_max: 3 mm"), ("shear_max: 2.5 mm", "shear_max: 1.2 mm"),
+SHORT = (("preshear_max: 30 mm", "preshear_max: 4 mm"), ("shear_max: 2.5 mm", "shear_max: 1.2 mm"),
          ("preshear_stress: 10 kPa", "preshear_min: 2 mm\n  preshear_stress: 10 kPa"),
          ("block_displacement: 2 mm", "block_displacement: 0.5 mm"), ("beyond_peak: 1 mm", "beyond_peak: 0.3 mm"),
          ("[3 kPa, 5 kPa, 7 kPa]", "[3 kPa, 7 kPa]"))

@@ -8,9 +8,9 @@ static void steady_shear_ends_preshear(void **context)
     assert_int_equal(now.test.flags, 0);
     assert_true(fabs(now.test.preshear_shear / 6e3 - 1.0) < 1e-12);
     assert_true(fabs(now.test.preshear_dilation) < 1e-12);
-    // three blocks of 1 mm, after the way of the start (0.03 m/s at 3 m/s2: 0.15 mm)
-    assert_true(now.test.preshear_displacement > 3.0e-3);
-    assert_true(now.test.preshear_displacement < 3.4e-3);
+    // three blocks of 1 mm, which end at whole millimetres since the limit does, the first of them
+    // after the way of the start (0.03 m/s at 3 m/s2: 0.15 mm); samples are of 67 steps, 0.0201 mm
+    check_close(now.test.preshear_displacement, 4.0e-3, 0.02e-3);
     assert_int_equal(clod_ring_shear_plan(&now.test, &now.state), 0);
     assert_true(clod_ring_shear_progress(&now.test) == 1.0);
 }
@@ -24,9 +24,8 @@ static void rising_shear_ends_at_the_limit_and_is_told(void **context)
     }
     assert_int_equal(now.test.phase, CLOD_RING_SHEAR_DONE);
     assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NOT_STEADY);
-    // 19 whole blocks of 1 mm after the way of the start, 0.15 mm: a 20th would be beyond 20 mm
-    assert_true(now.test.preshear_displacement > 19.1e-3);
-    assert_true(now.test.preshear_displacement < 19.4e-3);
+    // 19 whole blocks of 1.005 mm (samples of 67 steps) from 1 mm on
+    check_close(now.test.preshear_displacement, 20.095e-3, 0.02e-3);
     // where it ended, 1 kPa + 0.4 kPa/mm of it, not 1.5 mm before as the mean of three blocks;
     // a look sees the stress of the look before, 0.02 mm or 8 Pa back, in the mean half of that
     const double end = 1e3 + 4e5 * now.test.preshear_displacement;
@@ -43,9 +42,9 @@ static void level_shear_goes_on_to_the_least_way(void **context)
     now.test.preshear_min = 8e-3;
     go_to_the_end_of_preshear();
     assert_int_equal(now.test.flags, 0);
-    // the first end of a block of 1 mm behind 8 mm: 0.15 mm and eight blocks
+    // the first end of a block behind 8 mm: seven of them, from 1 mm on
     assert_true(now.test.preshear_displacement >= 8e-3);
-    assert_true(now.test.preshear_displacement < 8.4e-3);
+    assert_true(now.test.preshear_displacement < 8.1e-3);
     assert_true(fabs(now.test.preshear_rate) < 1.0); // Pa/m
 }
 
@@ -61,6 +60,25 @@ static void a_pause_before_the_least_way_does_not_count(void **context)
     }
     assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NOT_STEADY);
     assert_true(now.test.preshear_displacement > 19e-3);
+}
+
+/** Tests of other speeds end alike, though they come to their speed on 0.02 to 6.67 mm. Steps are a whole part of a
+ *  sample, as they nearly are with those of real beds. */
+static void the_limit_is_where_preshear_ends_whatever_the_speed(void **context)
+{
+    static const double SPEEDS[] = {0.01, 0.04, 0.08, 0.1, 0.2}; // m/s
+    for (size_t k = 0; k < sizeof SPEEDS / sizeof *SPEEDS; k++) {
+        make_cell(context);
+        now.test.speed = SPEEDS[k];
+        now.test.preshear_max = 14.27e-3;
+        now.test.preshear_min = 14.27e-3;
+        go_to_preshear();
+        for (int n = 0; n < 100000 && now.test.phase == CLOD_RING_SHEAR_PRESHEAR; n++) {
+            look(PRESHEAR, 1e3 + 4e5 * now.test.displacement);
+        }
+        assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NOT_STEADY);
+        check_close(now.test.preshear_displacement, 14.27e-3, 0.0101e-3); // half a sample
+    }
 }
 
 static void short_limit_still_gives_a_mean(void **context)
@@ -79,8 +97,11 @@ int main(void)
 {
 #define T(name) cmocka_unit_test_setup(name, make_cell)
     const struct CMUnitTest tests[] = {
-        T(steady_shear_ends_preshear),           T(rising_shear_ends_at_the_limit_and_is_told),
-        T(level_shear_goes_on_to_the_least_way), T(a_pause_before_the_least_way_does_not_count),
+        T(steady_shear_ends_preshear),
+        T(rising_shear_ends_at_the_limit_and_is_told),
+        T(level_shear_goes_on_to_the_least_way),
+        T(a_pause_before_the_least_way_does_not_count),
+        T(the_limit_is_where_preshear_ends_whatever_the_speed),
         T(short_limit_still_gives_a_mean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

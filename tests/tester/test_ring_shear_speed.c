@@ -25,22 +25,23 @@ typedef struct cell {
 static void begin(cell *self, double inner, double outer, double speed)
 {
     static const char *const NAMES[] = {"trough", "sides", "lid"};
-    const clod_case from = {.ring_shear = {.present = true,
-                                           .inner_radius = inner,
-                                           .outer_radius = outer,
-                                           .bar_height = 6e-3,
-                                           .lid_mass = 1.0,
-                                           .programme.preshear_stress = 10e3,
-                                           .programme.speed = speed,
-                                           .programme.block_displacement = BLOCK,
-                                           .programme.steady_blocks = 3,
-                                           .programme.steady_tolerance = 0.02,
-                                           .programme.preshear_max = 1.0,
-                                           .fill_max = 0.6,
-                                           .settle_max = 0.3,
-                                           .programme.shear_max = 5e-3,
-                                           .programme.beyond_peak = 1e-3,
-                                           .programme.peak_window = 0.2e-3}};
+    const clod_case from = {
+        .ring_shear = {.present = true,
+                       .inner_radius = inner,
+                       .outer_radius = outer,
+                       .bar_height = 6e-3,
+                       .lid_mass = 1.0,
+                       .programme.preshear_stress = 10e3,
+                       .programme.speed = speed,
+                       .programme.block_displacement = BLOCK,
+                       .programme.steady_blocks = 3,
+                       .programme.steady_tolerance = 0.02,
+                       .programme.preshear_max = 1.0 + 0.5 * speed * speed / ACCELERATION,
+                       .fill_max = 0.6,
+                       .settle_max = 0.3,
+                       .programme.shear_max = 5e-3,
+                       .programme.beyond_peak = 1e-3,
+                       .programme.peak_window = 0.2e-3}};
     memset(self, 0, sizeof *self);
     for (int w = 0; w < 3; w++) {
         snprintf(self->wall[w].name, sizeof self->wall[w].name, "%s", NAMES[w]);
