@@ -70,23 +70,38 @@ def probability(value):
     return "-" if math.isnan(value) else f"{value:.3f}" if value >= 0.001 else "below 0.001"
 
 
-def print_near(found):
-    print("| setting | ore | reading | packings | angle [deg] | - paper | - laboratory | near the paper | "
-          "probability that its mean is |")
-    print("|---" * 9 + "|")
+def rows_of(found):
+    """Cells of each reading of each setting; the last but one tells whether it is near."""
     for (choice, ore), readings in found.items():
         for reading, angles in readings.items():
             if not is_whole(angles):
                 known = [angle for angle in angles if angle is not None]
-                print("| " + " | ".join([choice or "the case", f"{ore[3:]} %", reading,
-                                         f"{len(known)} of {len(angles)}", *["-"] * 5]) + " |")
+                yield [choice or "the case", f"{ore[3:]} %", reading, f"{len(known)} of {len(angles)}", *["-"] * 5]
                 continue
             middle, error = loci.mean(angles), loci.error(angles)
             near = abs(middle - PAPER[ore]) <= NEAR
-            print("| " + " | ".join([
+            yield [
                 choice or "the case", f"{ore[3:]} %", reading, str(len(angles)), loci.told(angles),
                 f"{middle - PAPER[ore]:+.1f}", f"{middle - LABORATORY[ore]:+.1f}", "yes" if near else "no",
-                probability(chance_near(middle, error, len(angles) - 1, PAPER[ore]))]) + " |")
+                probability(chance_near(middle, error, len(angles) - 1, PAPER[ore]))]
+
+
+def print_rows(rows):
+    print("| setting | ore | reading | packings | angle [deg] | - paper | - laboratory | near the paper | "
+          "probability that its mean is |")
+    print("|---" * 9 + "|")
+    for row in rows:
+        print("| " + " | ".join(row) + " |")
+
+
+def print_near(found):
+    """Those that are near, then all."""
+    rows = list(rows_of(found))
+    near = [row for row in rows if row[7] == "yes"]
+    print(f"Near the paper's angle: {len(near)} of {len(rows)}\n")
+    print_rows(near)
+    print("\nAll:\n")
+    print_rows(rows)
 
 
 def chance(found, readings):

@@ -197,7 +197,7 @@ typedef struct clod_case_programme {
     int64_t steady_blocks;     ///< blocks that must agree
     double steady_tolerance;   ///< relative
     double preshear_min;       ///< m of shear at least
-    double preshear_max;       ///< m of shear at most
+    double preshear_max;       ///< m of shear at most; blocks end there
     double shear_max;          ///< m of shear at most, after reversal
     double beyond_peak;        ///< m of shear recorded beyond the peak
     double peak_window;        ///< m of shear over which the curve is smoothed

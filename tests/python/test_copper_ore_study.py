@@ -319,8 +319,8 @@ class Tables(unittest.TestCase):
                       text)
         self.assertIn(f"Of the {sum(counts[0])} readings ({counts[0][0]} and {counts[0][1]},", text)
         with open(program.source("README.md")) as file:
-            self.assertIn(f"of the {counts[0][1]} angles that were read with 8 % one comes within 2° of the paper's by chance in {shares[0][1]} of "
-                          f"cases, of the {counts[1][1]} that are not phi_lin in {shares[1][1]};", file.read())
+            self.assertIn(f"one of the {counts[0][1]} angles read with 8 % comes within 2° of the paper's by chance in {shares[0][1]} of "
+                          f"cases, without phi_lin in {shares[1][1]};", file.read())
 
     def test_kept_numbers_belong_together(self):
         """sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)), phi_sf = atan(tau_p/sigma_p), to the digits kept; and loci of kept points."""
