@@ -87,6 +87,12 @@ class Settings(unittest.TestCase):
             done = program.run(*command)
             self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_a_folder_without_tests(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([TOOL, "--folder", folder, "--packings"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn(f"no test of the study has ended in {folder}: run some first", done.stderr)
+
     def test_sets_and_wrong_names(self):
         done = subprocess.run([TOOL, "--list", "ways"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
