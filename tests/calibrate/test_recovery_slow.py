@@ -1,0 +1,28 @@
+"""Ring shear tests of a cohesive solid, calibrated on ten laboratories of ten truths (cases/lab-to-outlet/recovery): some
+60 minutes of processor time."""
+
+import os
+import re
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+
+class Recovery(clod.Case):
+
+    def test_the_truth_is_in_eight_of_ten_intervals(self):
+        """As 93 of 100 such tables of ten 90 % intervals would have; and they tell more than the range."""
+        done = subprocess.run([clod.source("cases/lab-to-outlet/recovery"), "--clod", clod.BINARY, "--folder", self.path("out")],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        print(done.stdout)
+        inside, of, width = re.search(r"(\d+) of (\d+) intervals hold the truth; their mean width is (\S+)", done.stdout).groups()
+        self.assertEqual(int(of), 10)
+        self.assertGreaterEqual(int(inside), 8)
+        self.assertLess(float(width), 0.7)  # 0.9 is that of the range
+
+
+if __name__ == "__main__":
+    clod.main()
