@@ -32,6 +32,13 @@ bool clod_result_missed(const clod_posterior *self)
     return self->p_value < CONTRADICTION;
 }
 
+bool clod_result_misses(const clod_result *self, size_t target)
+{
+    const double value = self->plan->targets[target].value;
+    const clod_posterior_target *of = &self->study->posterior->targets[target];
+    return value < of->low || value > of->high;
+}
+
 clod_result_identified clod_result_identified_of(const clod_posterior *self, size_t k)
 {
     const clod_posterior_parameter *of = &self->parameters[k];
@@ -157,7 +164,7 @@ static void warn_targets(clod_result *self)
                 self->plan->targets[t].name, one->runs, all);
         }
         const clod_plan_target *of = &self->plan->targets[t];
-        if (of->held_back && (of->value < one->low || of->value > one->high)) {
+        if (of->held_back && clod_result_misses(self, t)) {
             clod_warning_list_add(
                 &self->warnings,
                 "%s was held back and is missed: measured %.4g, predicted %.4g to %.4g %s.",

@@ -251,6 +251,46 @@ static void chains_that_agree_have_one(void **state)
     clod_posterior_destroy(&self);
 }
 
+// The used line tells u = 0.5, and twice that line is held back: 1 is predicted, as measured or not.
+static void card_says_whether_its_targets_are_met(void **state)
+{
+    (void)state;
+    static const struct {
+        double used, held;
+        const char *words;
+    } ROWS[] = {{0.5, 1.0, "  targets: met\n  held_back: met\n"},
+                {0.5, 3.0, "  targets: met\n  held_back: missed\n"},
+                {2.0, 2.0, "  targets: missed\n"}};
+    for (int k = 0; k < 3; k++) {
+        plan_made made;
+        plan_make(&made, 1, 2);
+        made.plan.seeds = 1;
+        double places[9], results[9][2];
+        for (int i = 0; i < 9; i++) {
+            places[i] = i / 8.0;
+            results[i][0] = places[i];
+            results[i][1] = 2.0 * places[i];
+        }
+        made.targets[0].value = ROWS[k].used;
+        made.targets[1].value = ROWS[k].held;
+        made.targets[0].error = made.targets[1].error = 0.02;
+        made.targets[1].held_back = true;
+        const clod_posterior_runs runs = {&made.plan, 9, places, &results[0][0], NULL};
+        clod_status status = {CLOD_OK, ""};
+        clod_posterior *self = clod_posterior_create(&runs, &status);
+        assert_non_null(self);
+        char *texts[4];
+        tell(&made, self, texts);
+        if (strstr(texts[1], ROWS[k].words) == NULL) {
+            fail_msg("%s", texts[1]);
+        }
+        for (int m = 0; m < 4; m++) {
+            clod_memory_free(texts[m]);
+        }
+        clod_posterior_destroy(&self);
+    }
+}
+
 /** Whether a calibration warns of the draws of a target, of which so many are independent. */
 static bool warns_of_draws(size_t draws, double independent, bool held_back, const char *words)
 {
@@ -305,6 +345,7 @@ int main(void)
         cmocka_unit_test(means_that_miss_are_told_where_nothing_else_says_why),
         cmocka_unit_test(few_samples_are_told_from_chains_that_disagree),
         cmocka_unit_test(chains_that_lie_apart_have_no_result),
+        cmocka_unit_test(card_says_whether_its_targets_are_met),
         cmocka_unit_test(chains_that_agree_have_one),
         cmocka_unit_test(one_used_target_must_follow_the_parameters),
         cmocka_unit_test(few_independent_draws_are_warned_of),
