@@ -44,6 +44,10 @@ void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self);
  *  consolidation, or is denser at the walls of a cell; of a plan without complaints (plan_doubts.c). */
 void clod_plan_warn_doubts(clod_plan *self);
 
+/** Warn of parameters whose keys are none of a material, nor sizes of its grains: the card sets them in any case that
+ *  includes it (plan_doubts_keys.c).   Test  tests/calibrate/test_plan_doubts_keys.c */
+void clod_plan_warn_keys(clod_plan *self);
+
 /** Warn of specimens of one table that serve used targets of two tests, which count as independent
  *  (plan_specimens.c).   Test  tests/calibrate/test_plan_set.c */
 void clod_plan_warn_shared_specimens(clod_plan *self);

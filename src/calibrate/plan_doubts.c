@@ -175,5 +175,6 @@ void clod_plan_warn_doubts(clod_plan *self)
         warn_of_number(self, RISING[k]);
     }
     warn_of_inside(self);
+    clod_plan_warn_keys(self);
     clod_plan_warn_shared_specimens(self);
 }
