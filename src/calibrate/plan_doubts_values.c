@@ -64,7 +64,7 @@ static void warn_of_angle(clod_plan *self, const clod_plan_target *of, const ran
 {
     const clod_plan_test *test = &self->tests[of->test];
     const bool shear = strncmp(of->number, "tau", 3) == 0;
-    double low = of->value, high = of->value;
+    double low = of->value, high = low;
     if (shear) {
         const double preshear = clod_case_shear(test->middle)->preshear_stress;
         const double stress = of->normal_stress > 0.0 ? of->normal_stress : preshear;
