@@ -173,7 +173,7 @@ static void put_use(FILE *out, const clod_result *self)
         "%s, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.",
         self->study->posterior->card_is_mean
             ? "Means"
-            : "A sample near the means, which together miss the targets",
+            : "A sample near the means, which misses the targets less",
         100.0 * plan->sampling.level);
     put_comment(out, "Use it: include: card.yaml in a case, which then must not give these "
                      "keys itself; or --set include=card.yaml, which replaces them.");
