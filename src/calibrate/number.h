@@ -6,6 +6,7 @@
 
 #include <jansson.h>
 
+#include "analysis/angles.h"
 #include "base/unit_endings.h"
 #include "calibrate/plan.h"
 
@@ -28,8 +29,11 @@ typedef struct clod_number {
 
 #define CLOD_NUMBER_DEGREE 0.017453292519943295
 #define CLOD_NUMBER_ANGLE                                                                      \
-    "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, 1}, 0.1 * CLOD_NUMBER_DEGREE,                     \
-        85.0 * CLOD_NUMBER_DEGREE
+    "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, 1}, CLOD_ANGLES_LEAST *CLOD_NUMBER_DEGREE,        \
+        85.0 * CLOD_NUMBER_DEGREE // near the origin cohesion or adhesion make it steep
+#define CLOD_NUMBER_SLOPE                                                                      \
+    "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, 1}, CLOD_ANGLES_LEAST *CLOD_NUMBER_DEGREE,        \
+        CLOD_ANGLES_MOST *CLOD_NUMBER_DEGREE // as clod locus refuses others of a laboratory
 #define CLOD_NUMBER_STRESS "Pa", {"kPa", 1e-3, 2}, 0.0, 1e8
 #define CLOD_NUMBER_DENSITY "kg/m3", {"kg/m3", 1.0, 0}, 10.0, 15000.0
 #define CLOD_NUMBER_RATIO "1", {"", 1.0, 2}, 0.0, 1000.0
@@ -48,6 +52,10 @@ extern const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT];
 
 /** Whether it is one of a path: a value without a unit has that of the name. */
 bool clod_number_is_path(const clod_number *self);
+
+/** Whether a number of a path is a mass, density, energy, area, volume, time, count or deviation, which are never
+ *  negative (number_path.c).   Test  tests/calibrate/test_number_path.c */
+bool clod_number_path_is_amount(const clod_number *kind, const char *path);
 
 /** The kind of a number of a test; NULL: there is none. Of a free run every path of its summary is one. */
 const clod_number *clod_number_find(const clod_plan_test *of, const char *key);

@@ -30,6 +30,23 @@ bool clod_number_is_path(const clod_number *self)
     return false;
 }
 
+bool clod_number_path_is_amount(const clod_number *kind, const char *path)
+{
+    static const char *const ENDINGS[] = {"_kg", "_kg_m3", "_kg_per_m3", "_J",
+                                          "_m2", "_m3",    "_s"};
+    static const char *const NAMES[] = {"grains",      "contacts",  "coordination",
+                                        "max_overlap", "deviation", "steps"};
+    const char *last = strrchr(path, '.');
+    bool found = false;
+    for (size_t k = 0; k < sizeof ENDINGS / sizeof ENDINGS[0]; k++) {
+        found = found || strcmp(kind->key, ENDINGS[k]) == 0;
+    }
+    for (size_t k = 0; k < sizeof NAMES / sizeof NAMES[0]; k++) {
+        found = found || strcmp(last != NULL ? last + 1 : path, NAMES[k]) == 0;
+    }
+    return found;
+}
+
 // ---- in a plan
 
 /** The row whose ending a name of `length` bytes has. */

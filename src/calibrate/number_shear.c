@@ -8,21 +8,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "analysis/angles.h"
 #include "analysis/fields.h"
 #include "analysis/study_file.h"
 #include "calibrate/number.h"
 #include "clod/locus.h"
 
-/** As clod locus refuses others of a laboratory. */
-#define LOCUS_ANGLE                                                                            \
-    "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, 1}, CLOD_ANGLES_LEAST *CLOD_NUMBER_DEGREE,        \
-        CLOD_ANGLES_MOST *CLOD_NUMBER_DEGREE
-
 const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT] = {
-    {"phi_lin", LOCUS_ANGLE, false, NULL, NULL},
+    {"phi_lin", CLOD_NUMBER_SLOPE, false, NULL, NULL},
     {"phi_e", CLOD_NUMBER_ANGLE, false, NULL, NULL},
-    {"phi_sf", LOCUS_ANGLE, false, NULL, NULL},
+    {"phi_sf", CLOD_NUMBER_SLOPE, false, NULL, NULL},
     {"c", CLOD_NUMBER_STRESS, false, NULL, NULL},
     {"tau_p", CLOD_NUMBER_STRESS, false, NULL, NULL},
     {"tau", CLOD_NUMBER_STRESS, true, NULL, NULL}, // on the line, at its normal stress

@@ -37,12 +37,31 @@ void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
 /** Those of one shear test (plan_conflicts_shear.c). */
 void clod_plan_conflicts_shear(clod_loader *loader, const clod_plan *self);
 
-/** Stresses far beyond the preshear stress of their test (plan_conflicts_unit.c). */
+/** Those of one wall friction test (plan_conflicts_wall.c).   Test  tests/calibrate/test_plan_conflicts_wall.c */
+void clod_plan_conflicts_wall(clod_loader *loader, const clod_plan *self);
+
+/** Stresses far beyond those of their test (plan_conflicts_unit.c).   Test  tests/calibrate/test_plan_conflicts_unit.c */
 void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self);
+
+/** How many times its preshear stress a solid with an angle of steady flow up to phi_sf [rad] has at most of c, sigma_c or
+ *  sigma_1; HUGE_VAL: of another number (plan_conflicts_unit.c). */
+double clod_plan_most_stress(const char *number, double phi_sf);
+
+/** Density of the grains of a test, no free run, where all parameters are at the lower (place 0) or upper (1) ends of their ranges
+ *  [kg/m3]; NAN: not known, as without memory (plan_conflicts.c). */
+double clod_plan_grain_density(const clod_plan *self, const clod_plan_test *test, double place);
 
 /** Warn of targets that are possible and hardly meant: an error above its value, a solid that gets weaker by
  *  consolidation, or is denser at the walls of a cell; of a plan without complaints (plan_doubts.c). */
 void clod_plan_warn_doubts(clod_plan *self);
+
+/** Warn of single values that hardly any solid has at the stress of its test, and of errors that nobody measures: a
+ *  wrong unit, mostly (plan_doubts_values.c).   Test  tests/calibrate/test_plan_doubts_values.c */
+void clod_plan_warn_values(clod_plan *self);
+
+/** Warn of parameters whose keys are none of a material, nor sizes of its grains: the card sets them in any case that
+ *  includes it (plan_doubts_keys.c).   Test  tests/calibrate/test_plan_doubts_keys.c */
+void clod_plan_warn_keys(clod_plan *self);
 
 /** Warn of specimens of one table that serve used targets of two tests, which count as independent
  *  (plan_specimens.c).   Test  tests/calibrate/test_plan_set.c */

@@ -156,21 +156,20 @@ static void check_ffc(clod_loader *loader, const clod_plan *self)
 
 // ---- density
 
-/** The largest density of the grains of a test that the ranges allow; NAN: not known, as without memory. */
-static double solid_density(const clod_plan *self, const clod_plan_test *test)
+double clod_plan_grain_density(const clod_plan *self, const clod_plan_test *test, double place)
 {
-    double place[CLOD_PLAN_PARAMETERS]; // a density among the parameters is largest at its end
+    double places[CLOD_PLAN_PARAMETERS]; // a density among the parameters has its ends there
     for (size_t k = 0; k < CLOD_PLAN_PARAMETERS; k++) {
-        place[k] = 1.0;
+        places[k] = place;
     }
     clod_status status = {CLOD_OK, ""};
-    clod_case *dense = clod_plan_case(self, test, place, &status); // a corner, which did load
+    clod_case *from = clod_plan_case(self, test, places, &status); // a corner, which did load
     double density = (double)NAN;
-    if (dense != NULL) {
-        const char *grain = clod_config_tester_of(dense)->materials(dense).grain;
-        density = dense->materials[clod_case_material_index(dense, grain)].density;
+    if (from != NULL) {
+        const char *grain = clod_config_tester_of(from)->materials(from).grain;
+        density = from->materials[clod_case_material_index(from, grain)].density;
     }
-    clod_case_destroy(&dense);
+    clod_case_destroy(&from);
     return density;
 }
 
@@ -188,7 +187,7 @@ static void check_density(clod_loader *loader, const clod_plan *self)
             if (!is_density(one, t) || clod_test_kinds_of(self->tests[t].middle)->paths) {
                 continue;
             }
-            solid = isnan(solid) ? solid_density(self, &self->tests[t]) : solid;
+            solid = isnan(solid) ? clod_plan_grain_density(self, &self->tests[t], 1.0) : solid;
             if (one->value > solid) {
                 clod_check_fail(
                     loader, "targets",
@@ -204,6 +203,7 @@ static void check_density(clod_loader *loader, const clod_plan *self)
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self)
 {
     clod_plan_conflicts_shear(loader, self);
+    clod_plan_conflicts_wall(loader, self);
     clod_plan_conflicts_unit(loader, self);
     check_twice(loader, self);
     check_tables(loader, self);

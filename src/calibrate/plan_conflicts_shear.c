@@ -167,6 +167,34 @@ static void check_most_cohesion(clod_loader *loader, const clod_plan *self, size
     }
 }
 
+/**
+ * sigma_1 grows with the circle of steady flow through preshear: it is least where sigma_2 is 0, sp/cos(phi_sf)^2, and
+ * most where the cohesion is, sp/(1 - sin(phi_sf)).
+ */
+static void check_major(clod_loader *loader, const clod_plan *self, size_t test,
+                        const char *number, double stress)
+{
+    steady of;
+    const clod_plan_target *major = with(self, test, "sigma_1");
+    if (major == NULL || !find_steady(self, test, number, stress, &of)) {
+        return;
+    }
+    const double s = sin(of.angle), c = cos(of.angle);
+    const double least = stress / (c * c), most = stress / (1.0 - s);
+    const double least_error = 2.0 * least * s / c * of.error; // derivatives over the angle
+    const double most_error = most * c / (1.0 - s) * of.error;
+    if (least - major->value > FIRM * hypot(major->error, least_error) ||
+        major->value - most > FIRM * hypot(major->error, most_error)) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: sigma_1 %.4g kPa in targets.%zu does not go with %s: at the preshear stress of the case, %.4g kPa, "
+            "circles of steady flow with a cohesion and a sigma_2 of 0 or more have %.4g to %.4g kPa; check units, or "
+            "correct or leave out one of them",
+            self->tests[test].name, 1e-3 * major->value, major->entry, of.words, 1e-3 * stress,
+            1e-3 * least, 1e-3 * most);
+    }
+}
+
 /** What goes with the stress of preshear. */
 static void check_preshear(clod_loader *loader, const clod_plan *self, size_t test)
 {
@@ -176,6 +204,8 @@ static void check_preshear(clod_loader *loader, const clod_plan *self, size_t te
     check_tau_p(loader, self, test, stress);
     check_most_cohesion(loader, self, test, "tau_p", stress);
     check_most_cohesion(loader, self, test, "phi_sf", stress);
+    check_major(loader, self, test, "tau_p", stress);
+    check_major(loader, self, test, "phi_sf", stress);
     if (find_steady(self, test, "phi_sf", stress, &angle) &&
         find_steady(self, test, "tau_p", stress, &shear) &&
         fabs(shear.angle - angle.angle) > FIRM * hypot(angle.error, shear.error)) {

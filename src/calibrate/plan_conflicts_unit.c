@@ -1,9 +1,10 @@
 /**
  * @file plan_conflicts_unit.c
- * Stresses that no solid has at the preshear stress of their test: mostly a wrong unit.
+ * Values that no solid has at the stress of their test: mostly a wrong unit.
  */
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "analysis/angles.h"
@@ -11,16 +12,76 @@
 #include "calibrate/plan_check.h"
 #include "calibrate/test_kinds.h"
 
-/**
- * The circle of steady flow goes through preshear and ends at sigma_2 >= 0, so its radius is at most sp/(2 cos(phi_sf)^2)
- * (plan_conflicts_shear.c), 16.6 sp with the largest phi_sf that is taken. c is at most the radius, and sigma_1 and
- * sigma_c are at most the diameter.
- */
-static double most_radii(const char *number)
+#define CEMENTED                                                                               \
+    10.0 ///< times the stress that consolidated it: such a strength has another origin
+
+double clod_plan_most_stress(const char *number, double phi_sf)
 {
-    return strcmp(number, "c") == 0                                           ? 1.0
-           : strcmp(number, "sigma_1") == 0 || strcmp(number, "sigma_c") == 0 ? 2.0
-                                                                              : HUGE_VAL;
+    // The circle of steady flow goes through preshear. Its sigma_1 is largest with a cohesion of 0, sp/(1 - sin(phi_sf)). c
+    // is at most the radius of the circle that ends at the origin, sp/(2 cos(phi_sf)^2), and sigma_c its diameter.
+    const double steepest = cos(phi_sf) * cos(phi_sf);
+    return strcmp(number, "c") == 0         ? 0.5 / steepest
+           : strcmp(number, "sigma_c") == 0 ? 1.0 / steepest
+           : strcmp(number, "sigma_1") == 0 ? 1.0 / (1.0 - sin(phi_sf))
+                                            : HUGE_VAL;
+}
+
+static void check_most(clod_loader *loader, const clod_plan_test *test,
+                       const clod_plan_target *of, double stress)
+{
+    const double most =
+        clod_plan_most_stress(of->number, CLOD_ANGLES_MOST * CLOD_NUMBER_DEGREE);
+    if (of->value - most * stress > CLOD_PLAN_FIRM_ERRORS * of->error) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: %s %.4g kPa in targets.%zu is %.3g times the preshear stress of the case, %.4g kPa, where no "
+            "solid with phi_sf up to %.0f deg has more than %.3g times: check its unit, or give the test the "
+            "preshear stress of that %s",
+            test->name, of->number, 1e-3 * of->value, of->entry, of->value / stress,
+            1e-3 * stress, CLOD_ANGLES_MOST, most, of->number);
+    }
+}
+
+/** A shear stress of the yield locus, given as a number: it rises from the normal stress, and up to preshear. */
+static void check_shear_stress(clod_loader *loader, const clod_plan *self,
+                               const clod_plan_target *of, double preshear)
+{
+    const double least = of->normal_stress * tan(CLOD_ANGLES_LEAST * CLOD_NUMBER_DEGREE);
+    const double most =
+        fmax(of->normal_stress, preshear) * tan(CLOD_ANGLES_MOST * CLOD_NUMBER_DEGREE);
+    if (self->wishes[of->entry].locus == NULL && !(of->value >= least && of->value <= most)) {
+        char path[48];
+        snprintf(path, sizeof path, "targets.%zu.value", of->entry);
+        clod_check_fail(
+            loader, path,
+            "tau %.4g kPa at a normal stress of %.4g kPa and a preshear stress of %.4g kPa: it must be %.4g kPa to %.4g "
+            "kPa, %.0f deg of the normal stress to %.0f deg of the larger of both; check the units of tau and normal_stress",
+            1e-3 * of->value, 1e-3 * of->normal_stress, 1e-3 * preshear, 1e-3 * least,
+            1e-3 * most, CLOD_ANGLES_LEAST, CLOD_ANGLES_MOST);
+    }
+}
+
+/** sigma_c of a uniaxial test over the stress that consolidated it, or ffc as the reverse. */
+static void check_cemented(clod_loader *loader, const clod_plan_test *test,
+                           const clod_plan_target *of)
+{
+    const double stress = of->normal_stress;
+    if (strcmp(of->number, "sigma_c") == 0 &&
+        of->value - CEMENTED * stress > CLOD_PLAN_FIRM_ERRORS * of->error) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: sigma_c %.4g kPa in targets.%zu is %.3g times the stress that consolidates it, %.4g kPa, and what "
+            "is pressed alone does not get %.0f times as strong: check its unit, or give the stress of that sigma_c",
+            test->name, 1e-3 * of->value, of->entry, of->value / stress, 1e-3 * stress,
+            CEMENTED);
+    } else if (strcmp(of->number, "ffc") == 0 &&
+               1.0 / CEMENTED - of->value > CLOD_PLAN_FIRM_ERRORS * of->error) {
+        clod_check_fail(
+            loader, "targets",
+            "test %s: ffc %.4g in targets.%zu is a sigma_c of %.3g times the stress that consolidates it, and what is "
+            "pressed alone does not get %.0f times as strong: correct it, or is it sigma_c/sigma_1?",
+            test->name, of->value, of->entry, 1.0 / of->value, CEMENTED);
+    }
 }
 
 void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self)
@@ -28,21 +89,17 @@ void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self)
     for (size_t k = 0; k < self->target_count; k++) {
         const clod_plan_target *of = &self->targets[k];
         const clod_plan_test *test = &self->tests[of->test];
-        if (clod_test_kinds_of(test->middle)->numbers != CLOD_NUMBERS_SHEAR ||
-            of->curve != NULL) {
-            continue;
-        }
-        const double stress = clod_case_shear(test->middle)->preshear_stress;
-        const double steepest = cos(CLOD_ANGLES_MOST * CLOD_NUMBER_DEGREE);
-        const double most = most_radii(of->number) * 0.5 * stress / (steepest * steepest);
-        if (of->value - most > CLOD_PLAN_FIRM_ERRORS * of->error) {
-            clod_check_fail(
-                loader, "targets",
-                "test %s: %s %.4g kPa in targets.%zu is %.3g times the preshear stress of the case, %.4g kPa, where no "
-                "solid with phi_sf up to %.0f deg has more than %.3g times: check its unit, or give the test the "
-                "preshear stress of that %s",
-                test->name, of->number, 1e-3 * of->value, of->entry, of->value / stress,
-                1e-3 * stress, CLOD_ANGLES_MOST, most / stress, of->number);
+        const clod_number *numbers = clod_test_kinds_of(test->middle)->numbers;
+        if (numbers == CLOD_NUMBERS_UNIAXIAL) {
+            check_cemented(loader, test, of);
+        } else if (numbers == CLOD_NUMBERS_SHEAR) {
+            const double stress = clod_case_shear(test->middle)->preshear_stress;
+            if (of->curve == NULL) {
+                check_most(loader, test, of, stress);
+            }
+            if (strcmp(of->number, "tau") == 0) {
+                check_shear_stress(loader, self, of, stress);
+            }
         }
     }
 }

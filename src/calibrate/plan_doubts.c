@@ -53,6 +53,12 @@ static double stress_of(const clod_plan *self, size_t test, double normal_stress
     return numbers == CLOD_NUMBERS_UNIAXIAL ? normal_stress : 0.0;
 }
 
+/** Whether a number is an angle of a line from the origin. */
+static bool is_angle(clod_field_index number)
+{
+    return number == CLOD_FIELD_PHI_E || number == CLOD_FIELD_PHI_SF;
+}
+
 /** What the plan says of a number: the k-th of its targets, behind them of its yield loci; false: nothing. */
 static bool say(const clod_plan *self, size_t k, clod_field_index number, statement *to)
 {
@@ -70,6 +76,20 @@ static bool say(const clod_plan *self, size_t k, clod_field_index number, statem
     *to = (statement){locus->test, locus->entry, stress_of(self, locus->test, 0.0),
                       value->value, value->error > 0.0 ? value->error : 0.0};
     return isfinite(value->value);
+}
+
+/** What a plan says of a shear stress: of an angle that of its line at the preshear stress, of phi_sf tau_p. */
+static bool say_stress(const clod_plan *self, size_t k, clod_field_index number, statement *to)
+{
+    if (!say(self, k, number, to)) {
+        return false;
+    }
+    if (is_angle(number)) {
+        const double t = tan(to->value);
+        to->value = to->stress * t;
+        to->error *= to->stress * (1.0 + t * t);
+    }
+    return true;
 }
 
 /** Whether two tests are of one tester and of a material of one name. */
@@ -109,6 +129,22 @@ static void warn_of_fall(clod_plan *self, clod_field_index number, const stateme
         1e-3 * to->stress, self->tests[to->test].name, to->entry, errors);
 }
 
+/** The same of an angle, whose shear stress falls. */
+static void warn_of_flat(clod_plan *self, clod_field_index number, const statement *from,
+                         const statement *to, double errors)
+{
+    const char *key = CLOD_FIELDS[number].key;
+    clod_warning_list_add(
+        &self->warnings,
+        "%s falls from %.1f deg at %.4g kPa of consolidation (test %.40s, targets.%zu) to %.1f deg at %.4g kPa (test "
+        "%.40s, targets.%zu), so fast that stress times tan(%s) falls as well, by %.1f standard errors: no solid bears less "
+        "by more consolidation. Are values, or stresses of the cases, interchanged, or are these two solids?",
+        key, atan(from->value / from->stress) / CLOD_NUMBER_DEGREE, 1e-3 * from->stress,
+        self->tests[from->test].name, from->entry,
+        atan(to->value / to->stress) / CLOD_NUMBER_DEGREE, 1e-3 * to->stress,
+        self->tests[to->test].name, to->entry, key, errors);
+}
+
 /** Warn of the firmest fall of a number. */
 static void warn_of_number(clod_plan *self, clod_field_index number)
 {
@@ -119,8 +155,9 @@ static void warn_of_number(clod_plan *self, clod_field_index number)
     statement from, to, worst[2] = {{0}};
     double most = CLOD_PLAN_FIRM_ERRORS;
     for (size_t k = 0; k < count; k++) {
-        for (size_t m = 0; m < count && say(self, k, number, &from); m++) {
-            const double errors = say(self, m, number, &to) ? fall(self, &from, &to) : 0.0;
+        for (size_t m = 0; m < count && say_stress(self, k, number, &from); m++) {
+            const double errors =
+                say_stress(self, m, number, &to) ? fall(self, &from, &to) : 0.0;
             if (errors > most) {
                 most = errors;
                 worst[0] = from;
@@ -129,7 +166,8 @@ static void warn_of_number(clod_plan *self, clod_field_index number)
         }
     }
     if (most > CLOD_PLAN_FIRM_ERRORS) {
-        warn_of_fall(self, number, &worst[0], &worst[1], most);
+        (is_angle(number) ? warn_of_flat : warn_of_fall)(self, number, &worst[0], &worst[1],
+                                                         most);
     }
 }
 
@@ -168,12 +206,15 @@ static void warn_of_inside(clod_plan *self)
 void clod_plan_warn_doubts(clod_plan *self)
 {
     // a warning, not a refusal: that two cases name their material alike does not make them one solid
-    static const clod_field_index RISING[] = {CLOD_FIELD_TAU_P, CLOD_FIELD_SIGMA_1,
-                                              CLOD_FIELD_SIGMA_C, CLOD_FIELD_RHO_B};
+    static const clod_field_index RISING[] = {CLOD_FIELD_TAU_P,   CLOD_FIELD_SIGMA_1,
+                                              CLOD_FIELD_SIGMA_C, CLOD_FIELD_RHO_B,
+                                              CLOD_FIELD_PHI_E,   CLOD_FIELD_PHI_SF};
     warn_of_errors(self);
     for (size_t k = 0; k < sizeof RISING / sizeof RISING[0]; k++) {
         warn_of_number(self, RISING[k]);
     }
     warn_of_inside(self);
+    clod_plan_warn_values(self);
+    clod_plan_warn_keys(self);
     clod_plan_warn_shared_specimens(self);
 }

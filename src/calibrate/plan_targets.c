@@ -228,9 +228,15 @@ static void make_number(maker *self, size_t test)
     }
     if (made.value < kind->least || made.value > kind->most) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "value"),
-                        "%s is impossible; allowed is %.6g to %.6g %s", wish->value,
-                        kind->measure.factor * kind->least, kind->measure.factor * kind->most,
-                        kind->measure.unit);
+                        "%s is impossible; allowed is %.6g to %.6g %s: check its unit",
+                        wish->value, kind->measure.factor * kind->least,
+                        kind->measure.factor * kind->most, kind->measure.unit);
+        return;
+    }
+    if (made.value < 0.0 && clod_number_is_path(kind) &&
+        clod_number_path_is_amount(kind, wish->number)) {
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "value"),
+                        "%s is impossible: %s is never below 0", wish->value, wish->number);
         return;
     }
     clod_plan_targets_add(self, &made, wish->number);

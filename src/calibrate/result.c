@@ -32,6 +32,13 @@ bool clod_result_missed(const clod_posterior *self)
     return self->p_value < CONTRADICTION;
 }
 
+bool clod_result_misses(const clod_result *self, size_t target)
+{
+    const double value = self->plan->targets[target].value;
+    const clod_posterior_target *of = &self->study->posterior->targets[target];
+    return value < of->low || value > of->high;
+}
+
 clod_result_identified clod_result_identified_of(const clod_posterior *self, size_t k)
 {
     const clod_posterior_parameter *of = &self->parameters[k];
@@ -157,7 +164,7 @@ static void warn_targets(clod_result *self)
                 self->plan->targets[t].name, one->runs, all);
         }
         const clod_plan_target *of = &self->plan->targets[t];
-        if (of->held_back && (of->value < one->low || of->value > one->high)) {
+        if (of->held_back && clod_result_misses(self, t)) {
             clod_warning_list_add(
                 &self->warnings,
                 "%s was held back and is missed: measured %.4g, predicted %.4g to %.4g %s.",
@@ -186,17 +193,22 @@ static void warn_targets(clod_result *self)
     }
 }
 
+/** Whether many of the samples lie at an end of the range. */
+static bool is_pressed(const clod_posterior_parameter *self)
+{
+    return self->below > EDGE_SHARE || self->above > EDGE_SHARE;
+}
+
 /** A parameter at an end of its range, or with a wide interval, or a narrow one for no reason. */
 static void warn_width(clod_result *self, size_t k)
 {
     const clod_posterior_parameter *one = &self->study->posterior->parameters[k];
     const char *name = self->plan->parameters[k].name;
-    const bool edge = one->below > EDGE_SHARE || one->above > EDGE_SHARE;
     const char *end = one->above > one->below ? "upper" : "lower";
     const double share = 100.0 * fmax(one->above, one->below);
     const bool still =
         one->moved <= MOVED; // not so where chains lie apart, and nothing is known of it
-    if (edge && !still) {
+    if (is_pressed(one) && !still) {
         clod_warning_list_add(
             &self->warnings,
             "%s wants to go beyond the %s end of its range (%.0f %% of the samples lie in the "
@@ -236,6 +248,17 @@ static void warn_chains(clod_result *self, size_t k)
     }
 }
 
+/** Whether the means miss what samples meet, and nothing else says why: against an end of its range a parameter has all
+ *  samples on one side, and targets out of reach are missed everywhere. */
+static bool means_surprise(const clod_posterior *self)
+{
+    bool plain = clod_result_missed(self);
+    for (size_t k = 0; k < self->dimensions; k++) {
+        plain = plain || is_pressed(&self->parameters[k]);
+    }
+    return !self->card_is_mean && !plain;
+}
+
 /** Answers that lie apart, and a card that is not of the means. */
 static void warn_card(clod_result *self)
 {
@@ -253,7 +276,7 @@ static void warn_card(clod_result *self)
                 100.0 * split.share, clod_result_number(of, split.above, above, sizeof above));
         }
     }
-    if (!from->card_is_mean) {
+    if (means_surprise(from)) {
         clod_warning_list_add(
             &self->warnings,
             "The means of the parameters together miss the targets by more than samples do, as on a bent ridge or between "

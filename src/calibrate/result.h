@@ -29,6 +29,8 @@ typedef enum clod_result_identified {
 clod_result_identified clod_result_identified_of(const clod_posterior *self, size_t k);
 /** Whether the targets are missed: the posterior predictive p is below 0.05. */
 bool clod_result_missed(const clod_posterior *self);
+/** Whether a target lies outside of the interval that is predicted for it; one that cannot be predicted does not. */
+bool clod_result_misses(const clod_result *self, size_t target);
 extern const char *const CLOD_RESULT_IDENTIFIED_NAMES[];
 
 /** Look for what is to be said: contradictions, ends of ranges, chains, surrogates, failed runs. */

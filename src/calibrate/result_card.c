@@ -173,7 +173,7 @@ static void put_use(FILE *out, const clod_result *self)
         "%s, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.",
         self->study->posterior->card_is_mean
             ? "Means"
-            : "A sample near the means, which together miss the targets",
+            : "A sample near the means, which misses the targets less",
         100.0 * plan->sampling.level);
     put_comment(out, "Use it: include: card.yaml in a case, which then must not give these "
                      "keys itself; or --set include=card.yaml, which replaces them.");
@@ -217,19 +217,37 @@ static bool gives(const card *self, const char *material, const char *key)
     return false;
 }
 
-/** What else the grains of the first test are made of; false without memory. */
+/** Whether the targets are missed, those used and those held back, for who includes the card. */
+static void put_verdict(FILE *out, const clod_result *self)
+{
+    static const char *const WORDS[] = {CLOD_SOLID_MET, CLOD_SOLID_MISSED};
+    const clod_posterior *from = self->study->posterior;
+    bool predicted = false, missed = false;
+    for (size_t t = 0; t < from->target_count; t++) {
+        const bool held =
+            self->plan->targets[t].held_back && from->targets[t].surrogate != NULL;
+        predicted = predicted || held;
+        missed = missed || (held && clod_result_misses(self, t));
+    }
+    fprintf(out, "  %s: %s\n", CLOD_SOLID_TARGETS, WORDS[clod_result_missed(from)]);
+    if (predicted) {
+        fprintf(out, "  %s: %s\n", CLOD_SOLID_HELD_BACK, WORDS[missed]);
+    }
+}
+
+/** How the calibration went, and what else the grains of the first test are made of; false without memory. */
 static bool put_solid(FILE *out, const card *self)
 {
     const clod_plan_test *test = &self->result->plan->tests[0];
     clod_grain_solid solid;
     const bool good = clod_grain_solid_init(&solid, test->middle);
-    if (good && solid.material != NULL) {
-        fprintf(
-            out,
-            "calibrated_with: # not calibrated: %s in the test %s; clod check warns where a case that "
-            "includes this has others\n",
-            solid.material, test->name);
-    }
+    fprintf(
+        out, "calibrated_with: # sets nothing; clod check warns of missed targets%s%s%s%s\n",
+        solid.material != NULL ? ", and where a case that includes this has others than " : "",
+        solid.material != NULL ? solid.material : "",
+        solid.material != NULL ? " in the test " : "",
+        solid.material != NULL ? test->name : "");
+    put_verdict(out, self->result);
     for (size_t k = 0; k < solid.count && good; k++) {
         if (!gives(self, solid.material, solid.keys[k].key)) {
             fprintf(out, "  %s: %s\n", solid.keys[k].key, solid.keys[k].value);

@@ -82,6 +82,12 @@ static bool is_same(const char *one, const char *other)
             fabs(a - b) <= SAME * fmax(fabs(a), fabs(b)));
 }
 
+/** Whether a key of a card tells how its calibration went, and nothing of the solid. */
+static bool is_verdict(const char *key)
+{
+    return strcmp(key, CLOD_SOLID_TARGETS) == 0 || strcmp(key, CLOD_SOLID_HELD_BACK) == 0;
+}
+
 /** "friction 0.9 (card: 0.4), soften 1 (card: 10)"; "": all is the same. */
 static void list_others(const clod_grain_solid *self, const clod_case *from, char *text,
                         size_t size)
@@ -90,7 +96,7 @@ static void list_others(const clod_grain_solid *self, const clod_case *from, cha
     for (size_t k = 0; k < from->calibrated_with_count; k++) {
         const clod_setting *wanted = &from->calibrated_with[k];
         const char *here = value_of(self, wanted->key);
-        if (here == NULL || !is_same(here, wanted->value)) {
+        if (!is_verdict(wanted->key) && (here == NULL || !is_same(here, wanted->value))) {
             char one[160];
             snprintf(one, sizeof one, "%.40s %.40s (card: %.40s)", wanted->key,
                      here != NULL ? here : "none", wanted->value);
@@ -118,6 +124,36 @@ bool clod_grain_solid_differs(const clod_case *from, char *text, size_t size)
     }
     if (from->calibrated_with_count > 0) {
         clod_grain_solid_fini(&solid);
+    }
+    return text[0] != '\0';
+}
+
+static bool says_missed(const clod_case *from, const char *key)
+{
+    for (size_t k = 0; k < from->calibrated_with_count; k++) {
+        const clod_setting *one = &from->calibrated_with[k];
+        if (strcmp(one->key, key) == 0 && strcmp(one->value, CLOD_SOLID_MISSED) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool clod_grain_solid_missed(const clod_case *from, char *text, size_t size)
+{
+    text[0] = '\0';
+    if (says_missed(from, CLOD_SOLID_TARGETS)) {
+        snprintf(
+            text, size,
+            "the included card misses the targets that it was calibrated with (calibrated_with.targets: missed): "
+            "its values are not those of the solid that was measured. Its comments say what was missed; calibrate again, "
+            "with other ranges, parameters or targets");
+    } else if (says_missed(from, CLOD_SOLID_HELD_BACK)) {
+        snprintf(
+            text, size,
+            "the included card misses measurements that were held back from its calibration "
+            "(calibrated_with.held_back: missed): it need not predict what it was not fitted to. Its comments say what "
+            "was missed");
     }
     return text[0] != '\0';
 }

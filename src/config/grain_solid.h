@@ -10,6 +10,12 @@
 
 #define CLOD_SOLID_TEXT 512 ///< bytes of a warning
 
+// Keys of `calibrated_with` that say how the calibration went, and what they say.
+#define CLOD_SOLID_TARGETS "targets"
+#define CLOD_SOLID_HELD_BACK "held_back"
+#define CLOD_SOLID_MET "met"
+#define CLOD_SOLID_MISSED "missed"
+
 /** Keys of a solid; those of its contacts by their last word. */
 typedef struct clod_grain_solid {
     const char *
@@ -37,3 +43,13 @@ void clod_grain_solid_fini(clod_grain_solid *self);
  * Threads safe.   Test  as above
  */
 bool clod_grain_solid_differs(const clod_case *from, char *text, size_t size);
+
+/**
+ * Whether the card that a case includes missed what it was calibrated with, used targets or held-back ones; a card that
+ * does not tell did not.
+ *
+ * @param text  [size] [out] warning, CLOD_SOLID_TEXT at most; "" where there is nothing to say
+ * @return      text[0] is not 0
+ * Threads pure.   Test  as above
+ */
+bool clod_grain_solid_missed(const clod_case *from, char *text, size_t size);

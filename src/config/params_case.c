@@ -186,7 +186,8 @@ static const clod_param ROWS[] = {
      CLOD_COUNT(C, calibrated_with_count),
      .help =
          "Of an included material card, as clod calibrate writes it: what else the grains were made of, density and "
-         "keys of the contact of two of them. clod check and clod run warn where the case has another value.",
+         "keys of the contact of two of them, and whether the calibration met its targets (targets, held_back: met or "
+         "missed). clod check and clod run warn where the case has another value, and of missed.",
      .source = "docs/howto/calibrate.md"},
     {.key = "seed",
      .kind = CLOD_PARAM_INTEGER,

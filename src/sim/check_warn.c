@@ -155,11 +155,14 @@ static void warn_outputs(const clod_case *from, clod_check_report *r)
     }
 }
 
-/** A card that was calibrated with another solid. */
+/** A card that was calibrated with another solid, or in vain. */
 static void warn_solid(const clod_case *from, clod_check_report *r)
 {
     char text[CLOD_CHECK_WARNING_TEXT];
     if (clod_grain_solid_differs(from, text, sizeof text)) {
+        clod_check_warning(r, "%s", text);
+    }
+    if (clod_grain_solid_missed(from, text, sizeof text)) {
         clod_check_warning(r, "%s", text);
     }
 }

@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "base/plural.h"
 #include "base/text.h"
+#include "config/grain_solid.h"
 #include "measure/contacts.h"
 #include "output/checkpoint.h"
 #include "output/folder_files.h"
@@ -258,6 +259,10 @@ static bool write_summary(clod_job *job, clod_status *status)
     const clod_job_shared *sim = job->sim;
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));
+    }
+    char warning[CLOD_SOLID_TEXT];
+    if (clod_grain_solid_missed(sim->from, warning, sizeof warning)) {
+        json_object_set_new(root, "warnings", json_pack("[s]", warning));
     }
     const clod_free_moment now = moment_of(job->procedure.data, sim->from, state, NULL);
     const void *measures = measures_of(job->procedure.data, sim->from);

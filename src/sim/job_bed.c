@@ -110,10 +110,14 @@ void clod_job_log_end(const clod_job *job, const clod_step *step, bool ok,
 
 void clod_job_bed_tell_solid(const clod_job *job)
 {
-    char text[CLOD_SOLID_TEXT];
-    char line[CLOD_SOLID_TEXT + 16];
-    if (job->state.step == 0 && clod_grain_solid_differs(job->sim->from, text, sizeof text)) {
-        snprintf(line, sizeof line, "warning: %s", text);
-        clod_job_tell(job, line);
+    bool (*const looks[])(const clod_case *, char *, size_t) = {clod_grain_solid_differs,
+                                                                clod_grain_solid_missed};
+    for (size_t k = 0; k < sizeof looks / sizeof looks[0] && job->state.step == 0; k++) {
+        char text[CLOD_SOLID_TEXT];
+        char line[CLOD_SOLID_TEXT + 16];
+        if (looks[k](job->sim->from, text, sizeof text)) {
+            snprintf(line, sizeof line, "warning: %s", text);
+            clod_job_tell(job, line);
+        }
     }
 }

@@ -23,5 +23,5 @@ bool clod_job_log_phase(clod_job *job, clod_step *step, const char *before, cons
 void clod_job_log_end(const clod_job *job, const clod_step *step, bool ok,
                       const clod_status *status);
 
-/** Warn at the beginning of an included card that was calibrated with another solid (config/solid.h). */
+/** Warn at the beginning of an included card that was calibrated with another solid, or in vain (config/grain_solid.h). */
 void clod_job_bed_tell_solid(const clod_job *job);

@@ -12,6 +12,7 @@
 #include "clod/locus.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
+#include "config/grain_solid.h"
 #include "measure/contacts.h"
 #include "output/folder_files.h"
 #include "parallel/threads.h"
@@ -278,10 +279,15 @@ bool clod_parts_write_summary(const clod_job_shared *sim, json_t *parts, const c
                               json_t *results, json_t *warnings, const char *incomplete,
                               clod_status *status)
 {
-    json_t *root = json_pack("{s:s, s:s, s:s*, s:o, s:o?, s:O}", "title",
+    char text[CLOD_SOLID_TEXT];
+    json_t *all = json_copy(warnings);
+    if (clod_grain_solid_missed(sim->from, text, sizeof text)) {
+        json_array_append_new(all, json_string(text));
+    }
+    json_t *root = json_pack("{s:s, s:s, s:s*, s:o, s:o?, s:o}", "title",
                              sim->from->title != NULL ? sim->from->title : "", "version",
                              clod_version_text(), "incomplete", incomplete, "parts", parts,
-                             name, results, "warnings", warnings);
+                             name, results, "warnings", all);
     const bool ok = clod_folder_write_json(sim->folder, "summary.json", root, status);
     json_decref(root);
     return ok;

@@ -275,7 +275,7 @@ class Calibrate(bounce.Bounce):
         shear("number: repose.heap.angle_deg, value: 34 deg, error: 1 deg", "has no number repose.heap.angle_deg, which is one of a free run; it has")
         shear("number: xyzxyz, value: 40 deg, error: 1 deg", "it has phi_lin, phi_e, phi_sf, c, tau_p")
         shear("number: phi_e, value: 95 deg, error: 1 deg",
-              "95 deg is impossible; allowed is 0.1 to 85 deg")
+              "95 deg is impossible; allowed is 1 to 85 deg: check its unit")
         shear("number: phi_lin, value: 80.1 deg, error: 1 deg",  # as clod locus
               "80.1 deg is impossible; allowed is 1 to 80 deg")
         shear("number: phi_sf, value: 0.9 deg, error: 1 deg",
@@ -283,7 +283,7 @@ class Calibrate(bounce.Bounce):
         shear("number: phi_e, value: 40 kPa, error: 1 deg", "targets.0.value: 40 kPa")
         shear("number: rho_b, value: 1.4 kg/m3, error: 0.1 kg/m3", "impossible")
         shear("number: phi_e, value: 40 deg, error: 2 rad",
-              "targets.0.error: 2 rad is more than all that is possible, 0.1 to 85 deg")
+              "targets.0.error: 2 rad is more than all that is possible, 1 to 85 deg")
         shear("number: tau, value: 9 kPa, error: 1 kPa", "tau needs the key normal_stress")
         shear("number: tau, value: 9 kPa, error: 1 kPa, normal_stress: 60 kPa",
               "60 kPa is outside the shear_stresses of test bounce")

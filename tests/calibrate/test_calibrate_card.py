@@ -11,6 +11,7 @@ import clod
 # Of bounce.yaml: what is written there, and the defaults of docs/manual.md.
 WITH = {"density": "2500 kg/m3", "soften": "1", "law": "hooke", "exponent": "1", "k1": "100000 N/m", "friction": "0",
         "coulomb": "adhesive", "tangential": "tangent", "rolling": "none"}
+MISSES = "the included card misses "
 DIFFERS = "the included card was calibrated with another solid than ore is here: "
 
 
@@ -34,8 +35,11 @@ class Card(bounce.Bounce):
         for key, value in WITH.items():
             self.assertEqual(found.get(key), value, key)
         self.assertNotIn("restitution", found)  # calibrated: it stands above
+        self.assertEqual(found["targets"], "met")
+        self.assertNotIn("held_back", found)
         card = ("--set", "include=out/card.yaml")
-        self.assertEqual([text for text in self.warnings("bounce.yaml", *card) if DIFFERS in text], [])
+        none = self.warnings("bounce.yaml", *card)
+        self.assertEqual([text for text in none if DIFFERS in text or MISSES in text], [])
         # another unit is no other value
         same = self.warnings("bounce.yaml", *card, "--set", "contacts.default.k1=100 kN/m")
         self.assertEqual([text for text in same if DIFFERS in text], [])
@@ -52,6 +56,39 @@ class Card(bounce.Bounce):
         self.assertIn("warning: " + DIFFERS + "friction 0.9 (card: 0).", " ".join(done.stderr.split()))
         with open(self.path("one/case-complete.yaml")) as file:
             self.assertNotIn("calibrated_with", file.read())
+
+    def test_card_that_misses_its_targets_is_warned_of(self):
+        """Its energy is above that of restitution 0.9, the end of the range."""
+        self.calibrate(bounce.PLAN, "--set", f"targets.0.value={bounce.BEFORE:.6g} J", "-o", "out")
+        self.assertEqual(self.section()["targets"], "missed")
+        card = ("--set", "include=out/card.yaml")
+        told = [text for text in self.warnings("bounce.yaml", *card) if "the included card" in text]
+        self.assertEqual(len(told), 1, told)
+        self.assertIn(MISSES + "the targets that it was calibrated with (calibrated_with.targets: missed)", told[0])
+        done = clod.run("run", "bounce.yaml", *card, "-o", "one", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: " + told[0].rstrip("."), " ".join(done.stderr.split()))
+        with open(self.path("one/summary.json")) as file:
+            self.assertEqual(json.load(file)["warnings"], [told[0].rstrip(".")])
+        self.assertEqual(clod.run("report", "one", cwd=self.folder).returncode, 0)
+        with open(self.path("one/report.html")) as file:
+            self.assertIn("<li>" + told[0].rstrip("."), file.read())
+
+    def test_card_that_misses_what_was_held_back_is_warned_of(self):
+        for held_back, words in (("met", []), ("missed", [MISSES + "measurements that were held back"])):
+            self.write("card.yaml", f"calibrated_with: {{targets: met, held_back: {held_back}}}\n")
+            told = [text for text in self.warnings("bounce.yaml", "--set", "include=card.yaml") if "the included card" in text]
+            self.assertEqual(len(told), len(words), told)
+            self.assertTrue(all(text.startswith(word) for text, word in zip(told, words)), told)
+
+    def test_summary_of_a_tester_has_the_warning(self):
+        self.write("card.yaml", "calibrated_with: {targets: missed}\n")
+        done = clod.run("run", clod.source("tests/cli/uniaxial.yaml"), "--set", f"include={self.path('card.yaml')}", "--set",
+                        "uniaxial.consolidation_stresses=[20 kPa]", "-o", "out", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("out/summary.json")) as file:
+            told = [text for text in json.load(file)["warnings"] if text.startswith(MISSES)]
+        self.assertEqual(len(told), 1)
 
     def test_calibrated_keys_are_not_compared(self):
         plan = bounce.PLAN.replace("from: 0.2, to: 0.9", "from: 0.2, to: 0.9, multiples: {contacts.default.friction: 0.5}")

@@ -243,6 +243,11 @@ class Paths(bounce.Bounce):
             self.assertIn(words, done.stderr)
             self.assertIn("\n" + " " * 29 + "^" + "~" * (len(path) - 1) + "\n", done.stderr + "\n")
 
+    def test_a_negative_energy_is_refused(self):
+        done = self.told("kinetic_energy_J", PLAN.replace("number: kinetic_energy_J, value: ", "number: kinetic_energy_J, value: -"))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("is impossible: kinetic_energy_J is never below 0", done.stderr)
+
     def test_a_mesh_that_is_not_there_is_told_by_a_check(self):
         self.write("bounce.yaml", STREAM)
         done = self.checked([])

@@ -66,6 +66,28 @@ static void the_end_of_the_name_is_the_unit(void **state)
     assert_string_equal(unit_of("build_up.floor.rate_kg_per_s"), "kg/s");
 }
 
+static void what_is_never_negative(void **state)
+{
+    (void)state;
+    static const char *const AMOUNTS[] = {"kinetic_energy_J",
+                                          "time_s",
+                                          "grains",
+                                          "coordination",
+                                          "gauges.exit.mass_kg.mean",
+                                          "gauges.exit.speed_m_per_s.deviation",
+                                          "build_up.floor.mean_kg"};
+    static const char *const OTHERS[] = {"walls.0.force_N.2", "repose.heap.height_m",
+                                         "gauges.exit.mass_flow_kg_per_s.mean",
+                                         "build_up.floor.rate_kg_per_s"};
+    for (size_t k = 0; k < sizeof AMOUNTS / sizeof *AMOUNTS; k++) {
+        assert_true(
+            clod_number_path_is_amount(clod_number_find(&test, AMOUNTS[k]), AMOUNTS[k]));
+    }
+    for (size_t k = 0; k < sizeof OTHERS / sizeof *OTHERS; k++) {
+        assert_false(clod_number_path_is_amount(clod_number_find(&test, OTHERS[k]), OTHERS[k]));
+    }
+}
+
 static void a_section_that_the_case_lacks_is_none(void **state)
 {
     (void)state;
@@ -194,6 +216,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_end_of_the_name_is_the_unit),
         cmocka_unit_test(units_with_several_letters_are_not_taken_for_their_last),
+        cmocka_unit_test(what_is_never_negative),
         cmocka_unit_test(a_section_that_the_case_lacks_is_none),
         cmocka_unit_test(a_place_beyond_the_end_of_a_list_is_none),
         cmocka_unit_test(values_are_si),

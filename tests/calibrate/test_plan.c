@@ -224,7 +224,7 @@ static void wall_table_that_is_no_target_is_refused(void **state)
         state, "locus: lab.csv, number: phi_w, error: 0.5 deg",
         "targets.0.number: phi_w is none of a wall yield locus (sigma_w, tau_w); of such a table it is phi_x");
     lab_write_file(state, "lab.csv", WALL_HEAD "20,0,0.1,1\n10,2.5,0.1,1\n");
-    refuse(state, "locus: lab.csv", "has a phi_x of 0 deg at 20 kPa; allowed is 0.1 to 85 deg");
+    refuse(state, "locus: lab.csv", "has a phi_x of 0 deg at 20 kPa; allowed is 1 to 85 deg");
 }
 
 int main(void)

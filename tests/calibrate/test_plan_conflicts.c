@@ -354,29 +354,10 @@ static void bulk_density_above_that_of_the_grains(void **state)
 
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
 
-// 54.8 kPa over 2 cos(80 deg)^2 is 908.7 kPa, 16.58 times as much, and 1817 kPa is twice that. Pa for kPa is a thousand times.
-static void stresses_in_another_unit(void **state)
-{
-    clod_plan plan;
-    lab_load_good(state, RING, "number: c, value: 910 kPa, error: 1 kPa", &plan);
-    clod_plan_fini(&plan);
-    lab_refuse(
-        state, RING, "number: c, value: 911 kPa, error: 1 kPa",
-        "test lab: c 911 kPa in targets.0 is 16.6 times the preshear stress of the case, 54.8 kPa, where no solid with "
-        "phi_sf up to 80 deg has more than 16.6 times: check its unit, or give the test the preshear stress of that c");
-    lab_load_good(state, RING, "number: sigma_1, value: 1818 kPa, error: 1 kPa", &plan);
-    clod_plan_fini(&plan);
-    lab_refuse(state, RING, "number: sigma_1, value: 90 MPa, error: 3 MPa",
-               "sigma_1 9e+04 kPa in targets.0 is 1.64e+03 times the preshear stress");
-    lab_refuse(state, RING, "number: sigma_c, value: 18 MPa, error: 1 MPa",
-               "has more than 33.2 times: check its unit");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(ffc_beside_its_stresses),
-        TEST(stresses_in_another_unit),
         TEST(ffc_beside_the_strength_of_its_consolidation),
         TEST(angles_that_follow_one_another),
         TEST(strength_of_a_cohesion),

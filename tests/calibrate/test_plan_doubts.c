@@ -118,6 +118,23 @@ static void other_numbers_that_consolidation_raises(void **state)
     check_warnings(&plan, 0, "");
 }
 
+// 54.8 tan 50 = 65.31 +- 2.31 kPa: 80 tan 38 = 62.50 +- 2.25 kPa is below it by 0.9 errors, 80 tan 35 = 56.02 +- 2.08 by 3.0.
+static void angles_whose_shear_stresses_fall(void **state)
+{
+    clod_plan plan;
+    write_case(state, "small.yaml", "54.8", "ore");
+    write_case(state, "large.yaml", "80", "ore");
+    load_two(state, TWO("phi_e", "50 deg", "38 deg", "1 deg"), &plan);
+    check_warnings(&plan, 0, "");
+    load_two(state, TWO("phi_e", "50 deg", "35 deg", "1 deg"), &plan);
+    check_warnings(
+        &plan, 1,
+        "phi_e falls from 50.0 deg at 54.8 kPa of consolidation (test small, targets.0) to 35.0 deg at 80 kPa (test large, "
+        "targets.1), so fast that stress times tan(phi_e) falls as well, by 3.0 standard errors");
+    load_two(state, TWO("phi_sf", "50 deg", "35 deg", "1 deg"), &plan);
+    check_warnings(&plan, 1, "phi_sf falls from 50.0 deg at 54.8 kPa");
+}
+
 // Neither another stress nor another solid says anything of the first.
 static void tests_that_cannot_be_compared(void **state)
 {
@@ -231,6 +248,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(solid_that_gets_weaker_by_consolidation),
         TEST(other_numbers_that_consolidation_raises),
+        TEST(angles_whose_shear_stresses_fall),
         TEST(tests_that_cannot_be_compared),
         TEST(strength_of_a_table_beside_that_of_another_test),
         TEST(uniaxial_strength_that_falls),

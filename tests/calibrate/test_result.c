@@ -84,12 +84,12 @@ static void one_used_target_must_follow_the_parameters(void **state)
     assert_false(predicts(0.1, 0.3, false)); // Q2 of noise is below 0
 }
 
-/** What a calibration whose chains have this R-hat and so many independent samples is warned of. */
-static bool warns_of_chains(double rhat, double effective, const char *words)
+/** Whether a calibration of this parameter is warned of in these words. */
+static bool warns(clod_posterior_parameter parameter, double p, bool card_is_mean,
+                  const char *words)
 {
     plan_made made;
     plan_make(&made, 1, 1);
-    clod_posterior_parameter parameter = {.rhat = rhat, .effective = effective, .moved = 10.0};
     double correlation = 1.0;
     clod_posterior_target target = {.held_back = true};
     const clod_posterior posterior = {.dimensions = 1,
@@ -97,7 +97,8 @@ static bool warns_of_chains(double rhat, double effective, const char *words)
                                       .targets = &target,
                                       .parameters = &parameter,
                                       .correlation = &correlation,
-                                      .p_value = 0.5,
+                                      .p_value = p,
+                                      .card_is_mean = card_is_mean,
                                       .used = 1};
     const clod_study study = {.posterior = (clod_posterior *)&posterior};
     const clod_runs runs = {.plan = &made.plan};
@@ -109,6 +110,34 @@ static bool warns_of_chains(double rhat, double effective, const char *words)
         }
     }
     return false;
+}
+
+/** What one is warned of whose chains have this R-hat and so many independent samples. */
+static bool warns_of_chains(double rhat, double effective, const char *words)
+{
+    return warns(
+        (clod_posterior_parameter){.rhat = rhat, .effective = effective, .moved = 10.0}, 0.5,
+        false, words);
+}
+
+// An end of the range, or targets out of reach, are the reason themselves; 30 % of the samples in the last 5 % are the border.
+static void means_that_miss_are_told_where_nothing_else_says_why(void **state)
+{
+    (void)state;
+    const char *words = "The means of the parameters together miss the targets";
+    const clod_posterior_parameter inside = {.rhat = 1.0, .effective = 1e4, .moved = 10.0};
+    clod_posterior_parameter low = inside, high = inside;
+    assert_true(warns(inside, 0.5, false, words));
+    assert_false(warns(inside, 0.5, true, words));
+    assert_true(warns(inside, 0.051, false, words));
+    assert_false(warns(inside, 0.049, false, words));
+    low.below = high.above = 0.29;
+    assert_true(warns(low, 0.5, false, words));
+    assert_true(warns(high, 0.5, false, words));
+    low.below = high.above = 0.31;
+    assert_false(warns(low, 0.5, false, words));
+    assert_false(warns(high, 0.5, false, words));
+    assert_true(warns(high, 0.5, false, "wants to go beyond the upper end of its range"));
 }
 
 static void few_samples_are_told_from_chains_that_disagree(void **state)
@@ -222,6 +251,46 @@ static void chains_that_agree_have_one(void **state)
     clod_posterior_destroy(&self);
 }
 
+// The used line tells u = 0.5, and twice that line is held back: 1 is predicted, as measured or not.
+static void card_says_whether_its_targets_are_met(void **state)
+{
+    (void)state;
+    static const struct {
+        double used, held;
+        const char *words;
+    } ROWS[] = {{0.5, 1.0, "  targets: met\n  held_back: met\n"},
+                {0.5, 3.0, "  targets: met\n  held_back: missed\n"},
+                {2.0, 2.0, "  targets: missed\n"}};
+    for (int k = 0; k < 3; k++) {
+        plan_made made;
+        plan_make(&made, 1, 2);
+        made.plan.seeds = 1;
+        double places[9], results[9][2];
+        for (int i = 0; i < 9; i++) {
+            places[i] = i / 8.0;
+            results[i][0] = places[i];
+            results[i][1] = 2.0 * places[i];
+        }
+        made.targets[0].value = ROWS[k].used;
+        made.targets[1].value = ROWS[k].held;
+        made.targets[0].error = made.targets[1].error = 0.02;
+        made.targets[1].held_back = true;
+        const clod_posterior_runs runs = {&made.plan, 9, places, &results[0][0], NULL};
+        clod_status status = {CLOD_OK, ""};
+        clod_posterior *self = clod_posterior_create(&runs, &status);
+        assert_non_null(self);
+        char *texts[4];
+        tell(&made, self, texts);
+        if (strstr(texts[1], ROWS[k].words) == NULL) {
+            fail_msg("%s", texts[1]);
+        }
+        for (int m = 0; m < 4; m++) {
+            clod_memory_free(texts[m]);
+        }
+        clod_posterior_destroy(&self);
+    }
+}
+
 /** Whether a calibration warns of the draws of a target, of which so many are independent. */
 static bool warns_of_draws(size_t draws, double independent, bool held_back, const char *words)
 {
@@ -273,8 +342,10 @@ int main(void)
         cmocka_unit_test(widths_have_their_names),
         cmocka_unit_test(what_moves_no_target_is_not_identified),
         cmocka_unit_test(targets_that_are_missed_identify_nothing),
+        cmocka_unit_test(means_that_miss_are_told_where_nothing_else_says_why),
         cmocka_unit_test(few_samples_are_told_from_chains_that_disagree),
         cmocka_unit_test(chains_that_lie_apart_have_no_result),
+        cmocka_unit_test(card_says_whether_its_targets_are_met),
         cmocka_unit_test(chains_that_agree_have_one),
         cmocka_unit_test(one_used_target_must_follow_the_parameters),
         cmocka_unit_test(few_independent_draws_are_warned_of),
