@@ -136,19 +136,23 @@ static void warn_planned(clod_hopper *self, const char *name, const clod_hopper_
     const double share = 100.0 * found->arching;
     char outlet[96];
     put_critical(outlet, critical);
+    const char *why =
+        clod_ranges_hold(&found->lower, planned)
+            ? "no arch stands over it, but one does above it, where the hopper is wider"
+        : found->design.sticks ? "the solid does not slide along the wall"
+                               : "it arches";
     if (isinf(critical->value)) {
-        clod_warning_list_add(&self->warnings,
-                              "%s: the outlet of %.6g mm arches, as every outlet does. %.1f %% "
-                              "of the samples do not flow.",
-                              name, 1e3 * planned, share);
-    } else if (planned < critical->value) {
         clod_warning_list_add(
             &self->warnings,
-            "%s: the outlet of %.6g mm is below the critical one, %s: %s%s. "
-            "%.1f %% of the samples do not flow.",
-            name, 1e3 * planned, outlet, planned < critical->low ? "" : "as measured ",
-            found->design.sticks ? "the solid does not slide along the wall" : "it arches",
-            share);
+            "%s: the outlet of %.6g mm is not large enough, as none is: %s. %.1f %% of the "
+            "samples do not flow.",
+            name, 1e3 * planned, why, share);
+    } else if (planned < critical->value) {
+        clod_warning_list_add(&self->warnings,
+                              "%s: the outlet of %.6g mm is below the critical one, %s: %s%s. "
+                              "%.1f %% of the samples do not flow.",
+                              name, 1e3 * planned, outlet,
+                              planned < critical->low ? "" : "as measured ", why, share);
     } else if (planned < critical->high) {
         clod_warning_list_add(
             &self->warnings,
@@ -268,6 +272,7 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
     }
     clod_doubts_wall(self, name, found);
     clod_doubts_no_arch(self, name, found);
+    clod_doubts_ranges(self, name, found);
     if (clod_hopper_is_critical(at)) {
         warn_beyond(self, name, &self->solid.strength, "sigma_1", at->state.sigma_1);
         warn_beyond(self, name, &self->solid.wall, "the normal stress at the wall",
@@ -350,6 +355,7 @@ static void warn_rathole(clod_hopper *self)
             warn_hole(self, CLOD_HOPPER_FILLING);
         }
     }
+    clod_doubts_holes(self);
     if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
         clod_warning_list_add(
             &self->warnings,
