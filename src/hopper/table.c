@@ -19,7 +19,7 @@ static void put_number(FILE *out, int width, const clod_hopper_field *how, doubl
     if (isnan(value)) {
         fprintf(out, "%*s", width, "-");
     } else if (isinf(value)) {
-        fprintf(out, "%*s", width, "infinite");
+        fprintf(out, "%*s", width, how->zero != NULL ? how->zero : "infinite");
     } else if (value == 0.0 && how->zero != NULL) {
         fprintf(out, "%*s", width, how->zero);
     } else {

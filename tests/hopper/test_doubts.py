@@ -160,6 +160,20 @@ class Doubts(hopper_case.Case):
         self.assertTrue([text for text in told if "static_friction replaces the column phi_t of " in text
                          and "day.csv" in text], told)
 
+    def test_a_wall_friction_angle_is_doubted_as_an_angle(self):
+        rows = ("3,0,1,0,50,0,40,1250,0", "12,0,3,0,48,0,39,1350,0")
+        wall = ("--set", "wall_friction={angle: 5 deg, error: 10 deg}")
+        self.assertEqual(self.told(*rows, words="tau_w", arguments=wall), [])
+        told = self.told(*rows, words="Wall friction: the angle is 5 deg with a standard error of 10 deg", arguments=wall)
+        self.assertEqual(len(told), 1)
+
+    def test_densities_that_hardly_a_bulk_solid_has(self):
+        """0.64 of 7850 kg/m3 is 5024."""
+        words = "Bulk density: rho_b is"
+        self.assertEqual(self.told("3,0,1,0,50,0,40,4900,0", "12,0,3,0,48,0,39,5020,0", words=words), [])
+        told = self.told("3,0,1,0,50,0,40,4900,0", "12,0,3,0,48,0,39,12100,0", words=words)
+        self.assertEqual(len(told), 1)
+        self.assertIn("12100 kg/m3 at sigma_1 12 kPa", told[0])
 
 
 if __name__ == "__main__":
