@@ -121,7 +121,7 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
         const clod_hopper_field *how = clod_hopper_field_of(found, (clod_hopper_number)n);
         put_line(out, how, &found->number[n]);
         if (n == CLOD_HOPPER_OUTLET) {
-            put_ends(out, how, &found->number[n]);
+            put_ends(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
         }
     }
     if (found->mechanical > 0.0) {
