@@ -156,7 +156,7 @@ static void check_rathole(const made *of, int found[3])
 
 /**
  * phi_e that falls from 60 to 35 deg between 2 and 4 kPa makes ff rise from some 1.15 to 1.6, so a straight flow
- * function, 0.45 + 0.55 x, crosses it near 1.4 kPa, below its points, and again near 6 kPa.
+ * function, 0.3 + 0.55 x, crosses it below 2 kPa, its smallest, and again above 4 kPa.
  */
 static void phi_e_may_bring_a_second_crossing(void **state)
 {
@@ -166,9 +166,12 @@ static void phi_e_may_bring_a_second_crossing(void **state)
                                        {.x = 4e3, .y = 35.0 * DEGREE}};
     make_solid(&of, 45.0, 15.0, 1500.0);
     of.solid.phi_e = (clod_curve){.way = CLOD_CURVE_HELD, .points = phi_e, .count = 2};
-    add_strength(&of, 2.0, 0.45 + 0.55 * 2.0);
-    add_strength(&of, 20.0, 0.45 + 0.55 * 20.0);
+    add_strength(&of, 2.0, 0.3 + 0.55 * 2.0);
+    add_strength(&of, 20.0, 0.3 + 0.55 * 20.0);
     assert_int_equal(check_design(&of), CLOD_HOPPER_FLOWS);
+    const clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 12.0, CLOD_HOPPER_ARCH_ARNOLD);
+    assert_true(strength_over_stress(&of.solid, wish.half_angle, 2e3) < 1.0);
+    assert_true(clod_hopper_design_shape(&of.solid, &wish).state.sigma_1 > 4e3);
 }
 
 /** Solids of five points and three angles drawn at random, of which many cross more than once. */
