@@ -35,19 +35,30 @@ bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, 
     return true;
 }
 
+double clod_critical_outlet(const clod_hopper_design *at)
+{
+    return at->state.sigma_1 / at->flow_factor * at->arch /
+           (at->state.rho * CLOD_HOPPER_GRAVITY);
+}
+
 /** The stress to look at where the strength stays on one side: the end it tends to. */
 static double end_of(const clod_solid *solid, clod_curve_meeting meeting)
 {
-    const clod_curve *curve = &solid->strength;
-    return curve->points[meeting == CLOD_CURVE_BELOW ? 0 : curve->count - 1].x;
+    return meeting == CLOD_CURVE_BELOW ? solid->strength.points[0].x : clod_solid_end(solid);
 }
 
-/** One round: the state at sigma_1 has a flow factor, and that another sigma_1. */
-static clod_curve_meeting go_on(const clod_solid *solid, double flow_factor, clod_bracket *at)
+/**
+ * One round: the state at sigma_1 has a flow factor, and that another sigma_1: where an arch stands one above, else
+ * one below, each the largest.
+ */
+static clod_curve_meeting go_on(const clod_solid *solid, const clod_hopper_design *self,
+                                clod_bracket *at)
 {
+    const bool arches = self->state.strength * self->flow_factor > at->sigma_1;
+    const double high = at->high < CLOD_BRACKET_HIGHEST ? at->high : (double)INFINITY;
     double met = 0.0;
-    const clod_curve_meeting meeting =
-        clod_curve_meet(&solid->strength, 1.0 / flow_factor, &met);
+    const clod_curve_meeting meeting = clod_curve_meet(
+        &solid->strength, 1.0 / self->flow_factor, arches ? high : at->sigma_1, &met);
     if (meeting != CLOD_CURVE_MEETS) {
         met = end_of(solid, meeting);
     }
@@ -70,15 +81,18 @@ static clod_hopper_design found_at(clod_hopper_design self, clod_curve_meeting m
 }
 
 /**
- * Rounds from a first stress. Where the solid begins to slide the flow factor falls steeply with the
+ * Rounds from a first stress to the largest at which an arch stands. Where the solid begins to slide the flow factor falls steeply with the
  * stress, and a round may jump past a critical state there to where the solid sticks; bounds lead
  * back. Funnel flow, with the largest stress at which it sticks, if there is none above that.
+ *
+ * @param floor  Pa: a stress at which an arch is known to stand, and no rounds go below; 0: none
  */
 static clod_hopper_design settle_from(const clod_solid *solid, const clod_hopper_wish *wish,
-                                      double first)
+                                      double first, double floor)
 {
     clod_hopper_design self = {.outcome = CLOD_HOPPER_UNSETTLED, .outlet = (double)NAN};
     clod_bracket at = clod_bracket_from(first);
+    at.low = fmax(floor, at.low);
     const double close = CLOD_CRITICAL_CLOSE * wish->tolerance;
     double slid = 0.0, stuck = 0.0; // Pa: the last stresses at which it did
     for (int round = 0; round < CLOD_CRITICAL_ROUNDS; round++) {
@@ -94,7 +108,7 @@ static clod_hopper_design settle_from(const clod_solid *solid, const clod_hopper
             continue;
         }
         slid = before;
-        const clod_curve_meeting meeting = go_on(solid, self.flow_factor, &at);
+        const clod_curve_meeting meeting = go_on(solid, &self, &at);
         if (round >= QUICK && at.low > CLOD_BRACKET_LOWEST && at.high < CLOD_BRACKET_HIGHEST) {
             clod_bracket_halve(&at); // rounds go to and fro, and hardly closer
         }
@@ -106,7 +120,8 @@ static clod_hopper_design settle_from(const clod_solid *solid, const clod_hopper
             self.outcome = CLOD_HOPPER_FUNNEL;
             return self;
         }
-        return found_at(self, meeting);
+        return found_at(self, floor > 0.0 && meeting == CLOD_CURVE_BELOW ? CLOD_CURVE_MEETS
+                                                                         : meeting);
     }
     return self;
 }
@@ -125,17 +140,17 @@ static bool leads_below(const clod_solid *solid, const clod_hopper_wish *wish, d
     if (!clod_critical_shape(solid, wish, stress, &self)) {
         return false;
     }
-    go_on(solid, self.flow_factor, &at);
+    go_on(solid, &self, &at);
     return at.sigma_1 <= begin;
 }
 
 /** Rounds from small stresses up, and where they end at a wall that holds the solid, down. */
-clod_hopper_design clod_critical_settle(const clod_solid *solid, const clod_hopper_wish *wish)
+clod_hopper_design clod_critical_guess(const clod_solid *solid, const clod_hopper_wish *wish)
 {
     const clod_curve *strength = &solid->strength;
     const double first = clod_critical_first(solid, wish);
     const double last = strength->points[strength->count - 1].x;
-    const clod_hopper_design self = settle_from(solid, wish, first);
+    const clod_hopper_design self = settle_from(solid, wish, first, 0.0);
     if (self.outcome != CLOD_HOPPER_FUNNEL) {
         return self;
     }
@@ -143,5 +158,82 @@ clod_hopper_design clod_critical_settle(const clod_solid *solid, const clod_hopp
     // stress, too, the rounds from there have looked at all that lies below
     const bool slid = self.state.sigma_1 < first;
     return slid && leads_below(solid, wish, last, first) ? self
-                                                         : settle_from(solid, wish, last);
+                                                         : settle_from(solid, wish, last, 0.0);
+}
+
+/** Whether an arch stands at a stress. */
+static bool arches_at(const clod_solid *solid, const clod_hopper_wish *fixed, double sigma_1,
+                      clod_hopper_design *at)
+{
+    const double close = CLOD_CRITICAL_CLOSE * fixed->tolerance;
+    return clod_critical_shape(solid, fixed, sigma_1, at) &&
+           at->state.strength * at->flow_factor > (1.0 + close) * sigma_1;
+}
+
+/**
+ * The largest stress above a state, of those at which flow function or phi_e were measured, at which an arch
+ * stands in the hopper of that state; 0: none. Between them both are straight, and strength over the stress of an
+ * arch hardly has a maximum.
+ */
+static double arch_above(const clod_solid *solid, const clod_hopper_wish *fixed,
+                         const clod_hopper_design *self)
+{
+    const clod_curve *const curves[] = {&solid->strength, &solid->phi_e};
+    const double least = self->state.sigma_1 * (1.0 + CLOD_CRITICAL_CLOSE * fixed->tolerance);
+    clod_hopper_design at = *self;
+    double found = 0.0;
+    for (size_t c = 0; c < 2; c++) {
+        for (size_t k = curves[c]->count; k-- > 0;) {
+            const double sigma_1 = curves[c]->points[k].x;
+            if (sigma_1 <= fmax(least, found)) {
+                break;
+            }
+            const bool known =
+                c > 0 && k < solid->strength.count && solid->strength.points[k].x == sigma_1;
+            if (!known && arches_at(solid, fixed, sigma_1, &at)) {
+                found = sigma_1;
+            }
+        }
+    }
+    return found;
+}
+
+/** Whether the flow function ends above the stress of an arch in the hopper of a state, which becomes that of the
+ *  largest measured stress then. */
+static bool ends_above(const clod_solid *solid, const clod_hopper_wish *fixed,
+                       clod_hopper_design *self)
+{
+    const clod_curve *strength = &solid->strength;
+    clod_hopper_design at = *self;
+    double met;
+    if (!clod_critical_shape(solid, fixed, clod_solid_end(solid), &at) ||
+        clod_curve_meet(strength, 1.0 / at.flow_factor, (double)INFINITY, &met) !=
+            CLOD_CURVE_ABOVE) {
+        return false;
+    }
+    *self = found_at(at, CLOD_CURVE_ABOVE);
+    return true;
+}
+
+/** Whether a state may have others above it. */
+static bool may_be_lower(const clod_hopper_design *self)
+{
+    return self->half_angle > 0.0 && self->outcome != CLOD_HOPPER_ARCHES &&
+           self->outcome != CLOD_HOPPER_UNSETTLED;
+}
+
+clod_hopper_design clod_critical_settle(const clod_solid *solid, const clod_hopper_wish *wish)
+{
+    clod_hopper_design self = clod_critical_guess(solid, wish);
+    while (may_be_lower(&self)) {
+        clod_hopper_wish fixed = *wish;
+        fixed.half_angle = self.half_angle;
+        const double above =
+            ends_above(solid, &fixed, &self) ? 0.0 : arch_above(solid, &fixed, &self);
+        if (above == 0.0) {
+            break;
+        }
+        self = settle_from(solid, wish, above, above);
+    }
+    return self;
 }

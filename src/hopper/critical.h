@@ -22,12 +22,19 @@ double clod_critical_limit(const clod_solid_state *state, double tolerance);
 bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1,
                          clod_hopper_design *self);
 
+/** The outlet at whose wall there is the stress of a state [m]. */
+double clod_critical_outlet(const clod_hopper_design *at);
+
 /** The stress at which a search begins [Pa]. */
 double clod_critical_first(const clod_solid *solid, const clod_hopper_wish *wish);
 
 /**
- * The critical state below the half angle of the wish, or below that of the state itself.
+ * The critical state below the half angle of the wish, or below that of the state itself: the largest stress
+ * at which the flow function comes below the flow factor.
  *
  * Errors  none.   Threads  pure.   Source  docs/theory/hopper.md.   Test  tests/hopper/test_design.c
  */
 clod_hopper_design clod_critical_settle(const clod_solid *solid, const clod_hopper_wish *wish);
+
+/** The same, quicker: seldom there is another one at a larger stress. */
+clod_hopper_design clod_critical_guess(const clod_solid *solid, const clod_hopper_wish *wish);

@@ -110,22 +110,28 @@ double clod_curve_at(const clod_curve *self, double x)
     return fmax(0.0, at.a + at.b * x);
 }
 
-clod_curve_meeting clod_curve_meet(const clod_curve *self, double slope, double *x)
+clod_curve_meeting clod_curve_meet(const clod_curve *self, double slope, double most, double *x)
 {
-    bool above = false;
-    const size_t count = piece_count(self);
-    for (size_t k = 0; k < count; k++) {
+    double end = most;
+    for (size_t k = piece_count(self); k-- > 0;) {
         const piece at = piece_at(self, k);
-        const double end = k + 1 < count ? piece_at(self, k + 1).from : (double)INFINITY;
-        const double excess = at.a + (at.b - slope) * at.from; // above the ray, where it begins
         const double fall = slope - at.b;
-        above = above || excess > 0.0;
-        if (above && fall > PARALLEL * slope && at.a / fall < end) {
+        const bool above = at.a - fall * at.from > 0.0; // where the piece begins
+        if (at.from >= end) {
+            continue;
+        }
+        if (isinf(end) && (fall < 0.0 || (above && fall <= PARALLEL * slope))) {
+            return CLOD_CURVE_ABOVE;
+        }
+        if (isfinite(end) && at.a - fall * end > 0.0) {
+            *x = end;
+            return CLOD_CURVE_MEETS;
+        }
+        if (above) {
             *x = at.a / fall;
             return CLOD_CURVE_MEETS;
         }
-        const bool rises = excess <= 0.0 && fall < 0.0 && at.a / fall < end;
-        above = above || rises;
+        end = at.from;
     }
-    return above ? CLOD_CURVE_ABOVE : CLOD_CURVE_BELOW;
+    return CLOD_CURVE_BELOW;
 }

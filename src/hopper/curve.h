@@ -99,14 +99,16 @@ double clod_curve_at(const clod_curve *self, double x);
 /** Where a curve meets a ray from the origin. */
 typedef enum clod_curve_meeting {
     CLOD_CURVE_BELOW, ///< nowhere: at no x is it above
-    CLOD_CURVE_MEETS, ///< it comes down through the ray
+    CLOD_CURVE_MEETS, ///< it comes down through the ray, and stays below
     CLOD_CURVE_ABOVE, ///< it ends above, or rises above and stays there
 } clod_curve_meeting;
 
 /**
- * The smallest x > 0 at which a curve comes from above a ray y = slope x to below it.
+ * The largest x > 0 at which a curve comes from above a ray y = slope x to below it: beyond, it is nowhere above.
  *
- * @param x  [out] on CLOD_CURVE_MEETS
+ * @param most  no larger x than this; it is the answer where the curve is above the ray there. INFINITY: any
+ * @param x     [out] on CLOD_CURVE_MEETS
  * Errors  none.   Threads  pure.   Test  tests/hopper/test_curve.c
  */
-clod_curve_meeting clod_curve_meet(const clod_curve *self, double slope, double *x);
+clod_curve_meeting clod_curve_meet(const clod_curve *self, double slope, double most,
+                                   double *x);

@@ -126,13 +126,6 @@ static flow flow_at(const clod_solid *solid, const clod_hopper_wish *wish, doubl
                : flow_from(solid, wish, outlet, strength->points[strength->count - 1].x, at);
 }
 
-/** The outlet at whose wall there is the stress of a state. */
-static double outlet_of(const clod_hopper_design *at)
-{
-    return at->state.sigma_1 / at->flow_factor * at->arch /
-           (at->state.rho * CLOD_HOPPER_GRAVITY);
-}
-
 /**
  * By how much a limit that is given lies above that of a cone, at the stress for which it holds. At other
  * stresses it is taken to change as a cone's does.
@@ -200,7 +193,7 @@ static void begin_to_slide(const clod_solid *solid, const clod_hopper_wish *wish
     if (clod_critical_shape(solid, wish, high, &at) &&
         at.state.strength <= at.state.sigma_1 / at.flow_factor) {
         at.outcome = CLOD_HOPPER_FLOWS;
-        at.outlet = outlet_of(&at);
+        at.outlet = clod_critical_outlet(&at);
         at.sticks = true;
         *self = at;
     }
@@ -238,7 +231,7 @@ static bool seems_larger(const clod_solid *solid, const clod_hopper_wish *wish, 
     if (least == 0.0 || !(fixed.half_angle > 0.0)) {
         return least == 0.0;
     }
-    const clod_hopper_design self = clod_critical_settle(solid, &fixed);
+    const clod_hopper_design self = clod_critical_guess(solid, &fixed);
     return self.outcome == CLOD_HOPPER_FLOWS && self.outlet > least;
 }
 
@@ -271,7 +264,7 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
         // critical at so little stress that the wall holds it: at what was measured, it may not
         at = self;
         if (clod_critical_shape(solid, wish, solid->strength.points[0].x, &at)) {
-            self = design_for(solid, wish, &at, outlet_of(&at));
+            self = design_for(solid, wish, &at, clod_critical_outlet(&at));
             self.at_measured = true;
             return self;
         }

@@ -31,34 +31,40 @@ static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *c
 }
 
 /** An error as large as its value: another unit or column, as a rule. */
+static void warn_large_error(clod_hopper *self, const clod_curve *curve, const char *what,
+                             const char *unit, double scale)
+{
+    for (size_t i = 0; i < curve->count; i++) {
+        const clod_curve_point *p = &curve->points[i];
+        if (p->y > 0.0 && p->y_error >= p->y) {
+            char at[40] = ""; // a single value is that of any stress
+            if (curve->count > 1) {
+                snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * p->x);
+            }
+            clod_warning_list_add(
+                &self->warnings,
+                "%s is %.6g %s with a standard error of %.6g %s%s: nothing was measured then. "
+                "Is the unit of one of them another one?",
+                what, scale * p->y, unit, scale * p->y_error, unit, at);
+            return;
+        }
+    }
+}
+
 static void warn_large_errors(clod_hopper *self)
 {
-    static const struct {
-        const char *what, *name, *unit;
-        double scale;
-    } OF[CLOD_SOLID_CURVES] = {{"Flow function", "f_c", "kPa", 1e-3},
-                               {"Effective friction", "phi_e", "deg", 1.0 / DEGREE},
-                               {"Static friction", "phi_t", "deg", 1.0 / DEGREE},
-                               {"Bulk density", "rho_b", "kg/m3", 1.0},
-                               {"Wall friction", "tau_w", "kPa", 1e-3}};
-    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        const clod_curve *curve = &self->solid.curves[k];
-        for (size_t i = 0; i < curve->count; i++) {
-            const clod_curve_point *p = &curve->points[i];
-            if (p->y > 0.0 && p->y_error >= p->y) {
-                char at[40] = ""; // a single value is that of any stress
-                if (curve->count > 1) {
-                    snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * p->x);
-                }
-                clod_warning_list_add(
-                    &self->warnings,
-                    "%s: %s is %.6g %s with a standard error of %.6g %s%s: nothing was "
-                    "measured then. Is the unit of one of them another one?",
-                    OF[k].what, OF[k].name, OF[k].scale * p->y, OF[k].unit,
-                    OF[k].scale * p->y_error, OF[k].unit, at);
-                break;
-            }
-        }
+    const clod_solid *solid = &self->solid;
+    const clod_hopper_property *wall = &self->from.wall;
+    warn_large_error(self, &solid->strength, "Flow function: f_c", "kPa", 1e-3);
+    warn_large_error(self, &solid->phi_e, "Effective friction: phi_e", "deg", 1.0 / DEGREE);
+    warn_large_error(self, &solid->phi_t, "Static friction: phi_t", "deg", 1.0 / DEGREE);
+    warn_large_error(self, &solid->rho, "Bulk density: rho_b", "kg/m3", 1.0);
+    if (wall->has_value) { // an angle, which the curve has as a line
+        clod_curve_point angle = {.y = wall->value, .y_error = wall->error};
+        const clod_curve one = {.points = &angle, .count = 1};
+        warn_large_error(self, &one, "Wall friction: the angle", "deg", 1.0 / DEGREE);
+    } else {
+        warn_large_error(self, &solid->wall, "Wall friction: tau_w", "kPa", 1e-3);
     }
 }
 
@@ -136,19 +142,23 @@ static void warn_planned(clod_hopper *self, const char *name, const clod_hopper_
     const double share = 100.0 * found->arching;
     char outlet[96];
     put_critical(outlet, critical);
+    const char *why =
+        clod_ranges_hold(&found->lower, planned)
+            ? "no arch stands over it, but one does above it, where the hopper is wider"
+        : found->design.sticks ? "the solid does not slide along the wall"
+                               : "it arches";
     if (isinf(critical->value)) {
-        clod_warning_list_add(&self->warnings,
-                              "%s: the outlet of %.6g mm arches, as every outlet does. %.1f %% "
-                              "of the samples do not flow.",
-                              name, 1e3 * planned, share);
-    } else if (planned < critical->value) {
         clod_warning_list_add(
             &self->warnings,
-            "%s: the outlet of %.6g mm is below the critical one, %s: %s%s. "
-            "%.1f %% of the samples do not flow.",
-            name, 1e3 * planned, outlet, planned < critical->low ? "" : "as measured ",
-            found->design.sticks ? "the solid does not slide along the wall" : "it arches",
-            share);
+            "%s: the outlet of %.6g mm is not large enough, as none is: %s. %.1f %% of the "
+            "samples do not flow.",
+            name, 1e3 * planned, why, share);
+    } else if (planned < critical->value) {
+        clod_warning_list_add(&self->warnings,
+                              "%s: the outlet of %.6g mm is below the critical one, %s: %s%s. "
+                              "%.1f %% of the samples do not flow.",
+                              name, 1e3 * planned, outlet,
+                              planned < critical->low ? "" : "as measured ", why, share);
     } else if (planned < critical->high) {
         clod_warning_list_add(
             &self->warnings,
@@ -268,6 +278,7 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
     }
     clod_doubts_wall(self, name, found);
     clod_doubts_no_arch(self, name, found);
+    clod_doubts_ranges(self, name, found);
     if (clod_hopper_is_critical(at)) {
         warn_beyond(self, name, &self->solid.strength, "sigma_1", at->state.sigma_1);
         warn_beyond(self, name, &self->solid.wall, "the normal stress at the wall",
@@ -350,6 +361,7 @@ static void warn_rathole(clod_hopper *self)
             warn_hole(self, CLOD_HOPPER_FILLING);
         }
     }
+    clod_doubts_holes(self);
     if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
         clod_warning_list_add(
             &self->warnings,

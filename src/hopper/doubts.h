@@ -49,6 +49,15 @@ void clod_doubts_line(clod_hopper *self);
 void clod_doubts_no_arch(clod_hopper *self, const char *name, const clod_hopper_found *found);
 
 /**
+ * Note outlets below the critical one over which no arch stands, and why they are not large enough; likewise
+ * ratholes.
+ *
+ * Test  tests/hopper/test_kinked.py
+ */
+void clod_doubts_ranges(clod_hopper *self, const char *name, const clod_hopper_found *found);
+void clod_doubts_holes(clod_hopper *self);
+
+/**
  * Note where the wall decides by what was not measured, or another stress asks for another angle.
  *
  * Test  tests/hopper/test_wall_decides.py

@@ -16,8 +16,9 @@
 #define MOST_FFC 100.0              // the best powder testers tell an ffc of some 50
 #define LEAST_PHI_E (20.0 * DEGREE) // bulk solids have 25 to 70 deg
 #define DENSER 1.03                 // away from the walls: more than a density is measured to
-#define APART 10.0                  // of stresses of two tables: another unit, as a rule
-#define FIRM 2.0                    // standard errors
+#define MOST_RHO 5030.0 // kg/m3: 0.64, random close packing, of spheres of steel, 7850
+#define APART 10.0      // of stresses of two tables: another unit, as a rule
+#define FIRM 2.0        // standard errors
 
 /** Point of a curve that is nearest to a stress. */
 static const clod_curve_point *nearest(const clod_curve *curve, double stress)
@@ -219,6 +220,27 @@ static void warn_narrow_cells(clod_hopper *self)
     }
 }
 
+/** The largest bulk density, where hardly any bulk solid has so large a one. */
+static void warn_dense(clod_hopper *self)
+{
+    const clod_curve *curve = &self->solid.rho;
+    const clod_curve_point *most = &curve->points[0];
+    for (size_t i = 1; i < curve->count; i++) {
+        most = curve->points[i].y > most->y ? &curve->points[i] : most;
+    }
+    if (most->y > MOST_RHO) {
+        char at[48] = ""; // a single value is that of any stress
+        if (curve->count > 1) {
+            snprintf(at, sizeof at, " at sigma_1 %.6g kPa", 1e-3 * most->x);
+        }
+        clod_warning_list_add(
+            &self->warnings,
+            "Bulk density: rho_b is %.6g kg/m3%s. Spheres of steel have 5000 when they are packed at random as "
+            "densely as they can be, ores and iron powders less. Is its unit another one?",
+            most->y, at);
+    }
+}
+
 void clod_doubts_measured(clod_hopper *self)
 {
     static const falling STRENGTH = {"Flow function", "f_c", "kPa", 1e-3, "weaker"};
@@ -229,5 +251,6 @@ void clod_doubts_measured(clod_hopper *self)
     warn_friction(self);
     warn_wall(self);
     warn_falls(self, &self->solid.rho, &DENSITY);
+    warn_dense(self);
     warn_narrow_cells(self);
 }

@@ -30,6 +30,17 @@ static json_t *interval(const clod_hopper_value *from, double scale)
                      number(scale * from->high_error));
 }
 
+/** Pairs of m. */
+static json_t *ranges_of(const clod_ranges *from)
+{
+    json_t *list = json_array();
+    for (size_t k = 0; k < from->count; k++) {
+        json_array_append_new(
+            list, json_pack("[o, o]", number(from->of[k].from), number(from->of[k].to)));
+    }
+    return list;
+}
+
 /** Outlets of the samples by their shares, and where their spread comes from. */
 static void put_spread(json_t *self, const clod_hopper_found *found)
 {
@@ -71,6 +82,7 @@ static json_t *shape_of(const clod_hopper_found *found)
     }
     json_object_set_new(self, "limit_given", json_boolean(found->wish.limit > 0.0));
     json_object_set_new(self, "outlet_by_wall", json_boolean(at->sticks));
+    json_object_set_new(self, "smaller_outlets_without_arch_m", ranges_of(&found->lower));
     if (found->planned > 0.0) {
         json_object_set_new(self, "planned_outlet_m", number(found->planned));
         json_object_set_new(self, "planned_outlet_arching_share", number(found->arching));
@@ -90,10 +102,12 @@ static json_t *shape_of(const clod_hopper_found *found)
 static json_t *rathole_of(const clod_hopper *self)
 {
     const bool known = self->solid.phi_t.count > 0, filled = known && self->silo.diameter > 0.0;
-    return json_pack("{s:o, s:o, s:o, s:{s:o, s:o}}", "emptying_m",
-                     interval(&self->rathole[CLOD_HOPPER_EMPTYING], 1.0), "filling_m",
-                     interval(&self->rathole[CLOD_HOPPER_FILLING], 1.0), "filling_stress_Pa",
-                     number(self->hole.filling_stress), "known_shares", "emptying",
+    return json_pack("{s:o, s:o, s:o, s:o, s:{s:o, s:o}}", "emptying_m",
+                     interval(&self->rathole[CLOD_HOPPER_EMPTYING], 1.0),
+                     "smaller_diameters_without_rathole_m", ranges_of(&self->lower_holes),
+                     "filling_m", interval(&self->rathole[CLOD_HOPPER_FILLING], 1.0),
+                     "filling_stress_Pa", number(self->hole.filling_stress), "known_shares",
+                     "emptying",
                      number(known ? self->holed[CLOD_HOPPER_EMPTYING] : (double)NAN), "filling",
                      number(filled ? self->holed[CLOD_HOPPER_FILLING] : (double)NAN));
 }

@@ -27,6 +27,11 @@ const clod_hopper_field *clod_hopper_field_of(const clod_hopper_found *found,
 {
     static const clod_hopper_field GIVEN = {
         "limit_deg", "limit of mass flow, given", "deg", DEGREES, DEGREES, 1, "none"};
+    static const clod_hopper_field FUNNEL = {
+        "outlet_m", "critical outlet of mass flow", "mm", 1e3, 1.0, 1, "none"};
+    if (number == CLOD_HOPPER_OUTLET && found->design.outcome == CLOD_HOPPER_FUNNEL) {
+        return &FUNNEL;
+    }
     return number == CLOD_HOPPER_LIMIT && found->wish.limit > 0.0 ? &GIVEN
                                                                   : &CLOD_HOPPER_FIELDS[number];
 }

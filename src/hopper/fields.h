@@ -13,13 +13,13 @@ typedef struct clod_hopper_field {
     double scale;     ///< from SI to that unit
     double json;      ///< from SI to the unit of the key
     int digits;
-    const char *zero; ///< what people read for 0; NULL: the number
+    const char *zero; ///< what people read for 0 and for infinity; NULL: the number, "infinite"
 } clod_hopper_field;
 
 /** By clod_hopper_number. */
 extern const clod_hopper_field CLOD_HOPPER_FIELDS[CLOD_HOPPER_NUMBERS];
 
-/** Of one number of a shape: a limit that is given is called so. */
+/** Of one number of a shape: a limit that is given is called so, and in funnel flow no outlet is the critical one. */
 const clod_hopper_field *clod_hopper_field_of(const clod_hopper_found *found,
                                               clod_hopper_number number);
 

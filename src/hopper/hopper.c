@@ -32,6 +32,7 @@ static void design(clod_hopper *self, clod_radial_shape shape, const clod_hopper
     found->limit_error = wanted->limit_error;
     found->mechanical = found->wish.least;
     found->design = clod_hopper_design_shape(&self->solid, &found->wish);
+    found->lower = clod_ranges_of_outlets(&self->solid, &found->wish, &found->design);
     clod_hopper_outcome outcome;
     double number[CLOD_HOPPER_NUMBERS];
     clod_interval_numbers(&self->solid, found, &outcome, number);
@@ -47,6 +48,7 @@ static bool fill(clod_hopper *self, clod_status *status)
     self->silo = (clod_rathole_silo){self->from.silo.diameter, self->from.silo.height,
                                      self->from.silo.stress_ratio};
     self->hole = clod_rathole_of(&self->solid, &self->silo);
+    self->lower_holes = clod_rathole_ranges(&self->solid, &self->hole);
     self->rathole[CLOD_HOPPER_EMPTYING].value = self->hole.emptying;
     self->rathole[CLOD_HOPPER_FILLING].value = self->hole.filling;
     return clod_interval_fill(self, status) && clod_interval_specimens(self, status);

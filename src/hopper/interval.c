@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "hopper/critical.h"
 #include "hopper/draw.h"
 #include "hopper/samples.h"
 #include "hopper/specimens.h"
@@ -18,6 +19,7 @@
 typedef struct sample {
     clod_hopper_outcome outcome[CLOD_HOPPER_SHAPES];
     double number[CLOD_HOPPER_SHAPES][CLOD_HOPPER_NUMBERS];
+    bool flows[CLOD_HOPPER_SHAPES]; ///< through the planned outlet
     double hole[CLOD_HOPPER_HOLES];
     double drawn[CLOD_HOPPER_SHAPES][CLOD_SOLID_CURVES]; ///< at the critical state as measured
 } sample;
@@ -72,6 +74,20 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     }
 }
 
+/** Whether the planned outlet lets the solid flow: no arch over it, nor over wider parts of the hopper above. */
+static bool flows_through(const clod_solid *solid, const clod_hopper_found *found,
+                          const double number[CLOD_HOPPER_NUMBERS])
+{
+    if (!(number[CLOD_HOPPER_MARGIN] >= 1.0) || number[CLOD_HOPPER_OUTLET] <= found->planned) {
+        return number[CLOD_HOPPER_MARGIN] >= 1.0;
+    }
+    clod_hopper_wish built = found->wish; // not the half angle of this sample
+    built.half_angle = found->design.half_angle;
+    const clod_hopper_design at = clod_critical_settle(solid, &built);
+    return at.outcome != CLOD_HOPPER_ARCHES &&
+           !(at.outcome == CLOD_HOPPER_FLOWS && at.outlet > found->planned);
+}
+
 /** @param limit  rad, those of the wishes in this sample; 0: a cone's */
 static void design_sample(const task *self, const clod_solid *solid,
                           const double limit[CLOD_HOPPER_SHAPES], sample *to)
@@ -86,6 +102,7 @@ static void design_sample(const task *self, const clod_solid *solid,
         if (asked_for_margin(&found) && isnan(*margin)) {
             *margin = 0.0; // what does not slide does not flow
         }
+        to->flows[s] = flows_through(solid, &found, to->number[s]);
     }
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         clod_samples_values(solid, &self->hopper->shape[s].design.state, to->drawn[s]);
@@ -332,7 +349,7 @@ static void put_shares(const task *self, int s, clod_hopper_found *found)
     size_t arching = 0;
     for (size_t i = 0; i < self->count; i++) {
         of[self->samples[i].outcome[s]]++;
-        arching += self->samples[i].number[s][CLOD_HOPPER_MARGIN] >= 1.0 ? 0 : 1;
+        arching += self->samples[i].flows[s] ? 0 : 1;
     }
     for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
         found->share[k] = (double)of[k] / (double)self->count;

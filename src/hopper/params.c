@@ -234,15 +234,18 @@ static const clod_param ROWS[] = {
      .source = HOWTO},
     PROPERTY("wall_friction", wall, WALL_TABLE, "Friction of the solid on the hopper's wall.",
              CLOD_PARAM_REQUIRED),
-    PROPERTY("effective_friction", phi_e, PHI_E_TABLE,
-             "Effective angle of internal friction, unless the flow function brings it.",
-             CLOD_PARAM_OPTIONAL),
+    PROPERTY(
+        "effective_friction", phi_e, PHI_E_TABLE,
+        "Effective angle of internal friction; needed where the flow function has no phi_e, "
+        "which it replaces.",
+        CLOD_PARAM_OPTIONAL),
     PROPERTY("static_friction", phi_t, PHI_T_TABLE,
-             "Static angle of internal friction for ratholes, unless the flow function brings "
-             "it.",
+             "Static angle of internal friction, for ratholes; replaces phi_t of the flow "
+             "function.",
              CLOD_PARAM_OPTIONAL),
     PROPERTY("bulk_density", rho, RHO_TABLE,
-             "Bulk density, unless the flow function brings it.", CLOD_PARAM_OPTIONAL),
+             "Bulk density; needed where the flow function has no rho_b, which it replaces.",
+             CLOD_PARAM_OPTIONAL),
     {.key = "cone",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_DEFAULTED,

@@ -4,6 +4,7 @@
  * The largest stable rathole of a hopper in funnel flow. Equations: docs/theory/hopper.md.
  */
 
+#include "hopper/ranges.h"
 #include "hopper/solid.h"
 
 /** Angles for which Jenike's function G is known [rad]. */
@@ -17,8 +18,10 @@ typedef struct clod_rathole_silo {
 } clod_rathole_silo;
 
 typedef struct clod_rathole {
-    double emptying; ///< m: lower bound, from the stresses around the hole; NAN: not known
-    double filling;  ///< m: upper bound, from the stresses after filling; NAN: not known
+    double
+        emptying; ///< m: lower bound, from the stresses around the hole: none larger stands; 0: none
+                  ///< at all; INFINITY: any; NAN: not known
+    double filling;         ///< m: upper bound, from the stresses after filling; NAN: not known
     double filling_stress;  ///< Pa: that of Janssen
     clod_solid_state state; ///< of the lower bound
 } clod_rathole;
@@ -38,3 +41,10 @@ double clod_rathole_function(double phi_t);
  * Errors  none.   Threads  pure.   Test  tests/hopper/test_rathole.c
  */
 clod_rathole clod_rathole_of(const clod_solid *solid, const clod_rathole_silo *silo);
+
+/**
+ * Diameters below the one of a hole that empties at which no rathole stands either.
+ *
+ * Errors  none.   Threads  pure.   Test  tests/hopper/test_ranges.c
+ */
+clod_ranges clod_rathole_ranges(const clod_solid *solid, const clod_rathole *hole);

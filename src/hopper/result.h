@@ -8,6 +8,7 @@
 #include "clod/hopper.h"
 #include "hopper/case.h"
 #include "hopper/design.h"
+#include "hopper/ranges.h"
 #include "hopper/rathole.h"
 
 #define CLOD_HOPPER_SHAPES 2
@@ -43,6 +44,7 @@ enum { CLOD_HOPPER_EMPTYING, CLOD_HOPPER_FILLING, CLOD_HOPPER_HOLES };
 typedef struct clod_hopper_found {
     clod_hopper_wish wish;
     clod_hopper_design design;
+    clod_ranges lower;  ///< outlets below the critical one without an arch over them
     double planned;     ///< m: outlet that is given; 0: none
     double limit_error; ///< rad: standard error of the wish's limit
     clod_hopper_value number[CLOD_HOPPER_NUMBERS];
@@ -79,6 +81,7 @@ struct clod_hopper {
     double
         holed[CLOD_HOPPER_HOLES]; ///< share of the samples in which G of that rathole is known
     clod_rathole hole;
+    clod_ranges lower_holes; ///< diameters below that of emptying at which none stands
     clod_hopper_specimen
         *specimens; ///< [specimen_count] owned; NULL: fewer than two such specimens
     size_t specimen_count;

@@ -54,3 +54,14 @@ clod_solid_state clod_solid_at(const clod_solid *self, double sigma_1)
     slide(self, &at);
     return at;
 }
+
+double clod_solid_end(const clod_solid *self)
+{
+    const clod_curve *const curves[] = {&self->strength, &self->phi_e, &self->phi_t};
+    double end = 0.0;
+    for (size_t c = 0; c < 3; c++) {
+        const size_t count = curves[c]->count;
+        end = count > 0 ? fmax(end, curves[c]->points[count - 1].x) : end;
+    }
+    return end;
+}

@@ -53,3 +53,6 @@ double clod_solid_wall_angle(const clod_solid *self, double sigma_w);
  * Errors  none.   Threads  pure.   Test  tests/hopper/test_solid.c
  */
 clod_solid_state clod_solid_at(const clod_solid *self, double sigma_1);
+
+/** The largest sigma_1 at which strength, phi_e or phi_t were measured [Pa]. */
+double clod_solid_end(const clod_solid *self);

@@ -70,6 +70,9 @@ bool clod_storage_read(const char *path, bool phi_t, clod_solid *solid,
         replace(&solid->strength, &stored.strength);
         if (phi_t && stored.phi_t.count > 0) {
             replace(&solid->phi_t, &stored.phi_t);
+        } else if (stored.phi_t.count > 0) {
+            clod_warning_list_add(warnings, "static_friction replaces the column phi_t of %s.",
+                                  path);
         }
     }
     clod_tables_fini(&stored);

@@ -19,7 +19,7 @@ static void put_number(FILE *out, int width, const clod_hopper_field *how, doubl
     if (isnan(value)) {
         fprintf(out, "%*s", width, "-");
     } else if (isinf(value)) {
-        fprintf(out, "%*s", width, "infinite");
+        fprintf(out, "%*s", width, how->zero != NULL ? how->zero : "infinite");
     } else if (value == 0.0 && how->zero != NULL) {
         fprintf(out, "%*s", width, how->zero);
     } else {
@@ -121,7 +121,7 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
         const clod_hopper_field *how = clod_hopper_field_of(found, (clod_hopper_number)n);
         put_line(out, how, &found->number[n]);
         if (n == CLOD_HOPPER_OUTLET) {
-            put_ends(out, how, &found->number[n]);
+            put_ends(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
         }
     }
     if (found->mechanical > 0.0) {

@@ -382,6 +382,17 @@ static void warn_blanks(const clod_hopper_case *from, const clod_solid *solid,
     }
 }
 
+/** A section of the case in place of a column that the flow function brought. */
+static void warn_replaced(const clod_hopper_case *from, const clod_hopper_property *by,
+                          const clod_curve *column, const char *text, clod_tables_notes *notes)
+{
+    if (by->present && column->count > 0) {
+        const char *file = from->strength.file;
+        clod_warning_list_add(notes->warnings, "%s of %s.", text,
+                              file != NULL ? file : "the shear tests");
+    }
+}
+
 bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status)
 {
@@ -390,6 +401,12 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
         return false;
     }
     warn_blanks(from, solid, notes);
+    warn_replaced(from, &from->phi_e, &solid->phi_e,
+                  "effective_friction replaces the column phi_e", notes);
+    warn_replaced(from, &from->phi_t, &solid->phi_t,
+                  "static_friction replaces the column phi_t", notes);
+    warn_replaced(from, &from->rho, &solid->rho, "bulk_density replaces the column rho_b",
+                  notes);
     if (!read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
         !read_property(&from->phi_t, read_phi_t, &solid->phi_t, status) ||
         !read_property(&from->rho, clod_tables_read_density, &solid->rho, status) ||

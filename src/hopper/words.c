@@ -27,7 +27,7 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
              "stress: no outlet is large enough, the solid cannot flow by gravity."),
         [CLOD_HOPPER_FUNNEL] =
             ("Funnel flow: the solid does not slide along this wall. A smoother or a steeper "
-             "one may help; otherwise see the rathole."),
+             "one may help; otherwise only an outlet wider than the rathole empties."),
         [CLOD_HOPPER_UNSETTLED] = "No critical state was found; see the warnings.",
     };
     const clod_hopper_design *at = &found->design;

@@ -25,7 +25,7 @@ void clod_hopper_cells_text(char text[48], const clod_hopper_field *how, double 
     if (isnan(value)) {
         snprintf(text, 48, "-");
     } else if (isinf(value)) {
-        snprintf(text, 48, "infinite");
+        snprintf(text, 48, "%s", how->zero != NULL ? how->zero : "infinite");
     } else if (value == 0.0 && how->zero != NULL) {
         snprintf(text, 48, "%s", how->zero);
     } else {

@@ -66,7 +66,8 @@ static void rays_are_met_on_every_piece(void **state)
                                {0.7, 6.4}, {0.4, 16.0},       {20.0, 2.0 / 19.5}};
     for (size_t k = 0; k < 6; k++) {
         double x;
-        assert_int_equal(clod_curve_meet(&extended, known[k][0], &x), CLOD_CURVE_MEETS);
+        assert_int_equal(clod_curve_meet(&extended, known[k][0], (double)INFINITY, &x),
+                         CLOD_CURVE_MEETS);
         check_close(x, known[k][1], 1e-12);
     }
 }
@@ -76,14 +77,14 @@ static void rays_may_be_missed_on_either_side(void **state)
     (void)state;
     double x;
     const clod_curve above = curve(CLOD_CURVE_EXTENDED, SLOPED, 3);
-    assert_int_equal(clod_curve_meet(&above, 0.2, &x), CLOD_CURVE_ABOVE);
-    assert_int_equal(clod_curve_meet(&above, 0.1, &x), CLOD_CURVE_ABOVE);
+    assert_int_equal(clod_curve_meet(&above, 0.2, (double)INFINITY, &x), CLOD_CURVE_ABOVE);
+    assert_int_equal(clod_curve_meet(&above, 0.1, (double)INFINITY, &x), CLOD_CURVE_ABOVE);
     clod_curve_point weak[] = {{.x = 2.0, .y = 0.2}, {.x = 4.0, .y = 0.4}};
     const clod_curve below = curve(CLOD_CURVE_EXTENDED, weak, 2);
-    assert_int_equal(clod_curve_meet(&below, 0.5, &x), CLOD_CURVE_BELOW);
+    assert_int_equal(clod_curve_meet(&below, 0.5, (double)INFINITY, &x), CLOD_CURVE_BELOW);
     clod_curve_point nothing[] = {{.x = 2.0, .y = 0.0}, {.x = 4.0, .y = 0.0}};
     const clod_curve zero = curve(CLOD_CURVE_LINE, nothing, 2);
-    assert_int_equal(clod_curve_meet(&zero, 0.5, &x), CLOD_CURVE_BELOW);
+    assert_int_equal(clod_curve_meet(&zero, 0.5, (double)INFINITY, &x), CLOD_CURVE_BELOW);
 }
 
 /** -2 + x is above x/2 from 4 on, and stays: large outlets arch. With a flat end at 3 it comes down
@@ -95,10 +96,34 @@ static void a_curve_may_rise_through_the_ray_first(void **state)
     clod_curve_point rising[] = {
         {.x = 3.0, .y = 1.0}, {.x = 5.0, .y = 3.0}, {.x = 9.0, .y = 3.0}};
     const clod_curve two = curve(CLOD_CURVE_EXTENDED, rising, 2);
-    assert_int_equal(clod_curve_meet(&two, 0.5, &x), CLOD_CURVE_ABOVE);
+    assert_int_equal(clod_curve_meet(&two, 0.5, (double)INFINITY, &x), CLOD_CURVE_ABOVE);
     const clod_curve three = curve(CLOD_CURVE_EXTENDED, rising, 3);
-    assert_int_equal(clod_curve_meet(&three, 0.5, &x), CLOD_CURVE_MEETS);
+    assert_int_equal(clod_curve_meet(&three, 0.5, (double)INFINITY, &x), CLOD_CURVE_MEETS);
     check_close(x, 6.0, 1e-13);
+}
+
+/** 0.6 + x/4 up to 2, -1.9 + 1.5 x up to 3, then 2 + 0.2 x: 0.8 x is crossed at 0.6/0.55, 1.9/0.7 and 2/0.6. */
+static void the_last_crossing_below_a_bound_counts(void **state)
+{
+    (void)state;
+    double x;
+    clod_curve_point kinked[] = {{.x = 1.0, .y = 0.85},
+                                 {.x = 2.0, .y = 1.1},
+                                 {.x = 3.0, .y = 2.6},
+                                 {.x = 13.0, .y = 4.6}};
+    const clod_curve four = curve(CLOD_CURVE_EXTENDED, kinked, 4);
+    const double known[][2] = {{(double)INFINITY, 2.0 / 0.6},
+                               {3.4, 2.0 / 0.6},
+                               {3.2, 3.2}, // above there
+                               {3.0, 3.0},
+                               {2.8, 2.8},
+                               {2.7, 0.6 / 0.55},
+                               {1.5, 0.6 / 0.55},
+                               {1.0, 1.0}};
+    for (size_t k = 0; k < sizeof known / sizeof known[0]; k++) {
+        assert_int_equal(clod_curve_meet(&four, 0.8, known[k][0], &x), CLOD_CURVE_MEETS);
+        check_close(x, known[k][1], 1e-12);
+    }
 }
 
 int main(void)
@@ -111,6 +136,7 @@ int main(void)
         cmocka_unit_test(rays_are_met_on_every_piece),
         cmocka_unit_test(rays_may_be_missed_on_either_side),
         cmocka_unit_test(a_curve_may_rise_through_the_ray_first),
+        cmocka_unit_test(the_last_crossing_below_a_bound_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

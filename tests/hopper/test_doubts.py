@@ -141,5 +141,40 @@ class Doubts(hopper_case.Case):
                 self.assertNotIn(words, text)
 
 
+    def test_sections_that_replace_columns(self):
+        rows = ("3,0,1,0,50,0,40,1250,0", "12,0,3,0,48,0,39,1350,0")
+        self.assertEqual(self.told(*rows, words="replaces"), [])
+        told = self.told(*rows, words="replaces", more="bulk_density: {value: 900 kg/m3}\nstatic_friction: {angle: 38 deg}\n"
+                         "effective_friction: {angle: 49 deg}\n")
+        for key, column in (("bulk_density", "rho_b"), ("static_friction", "phi_t"), ("effective_friction", "phi_e")):
+            found = [text for text in told if text.startswith(f"{key} replaces the column {column} of ")
+                     and text.endswith("flow.csv.")]
+            self.assertEqual(len(found), 1, told)
+        measured = self.found()["measured"]
+        self.assertEqual([point["rho_b_kg_m3"] for point in measured["rho_b"]], [900.0])
+        self.write("flow.csv", "sigma_1 [kPa],f_c [kPa],phi_e [deg]\n3,1,50\n12,3,48\n")
+        self.write("case.yaml", CASE + "bulk_density: {value: 900 kg/m3}\nstatic_friction: {angle: 38 deg}\n")
+        self.assertEqual([text for text in self.found()["warnings"] if "replaces" in text], [])
+        self.write("day.csv", "sigma_1 [kPa],f_c [kPa],phi_t [deg]\n3,1.5,44\n12,4,43\n")
+        told = self.found("--set", "flow_function.after_storage=day.csv")["warnings"]
+        self.assertTrue([text for text in told if "static_friction replaces the column phi_t of " in text
+                         and "day.csv" in text], told)
+
+    def test_a_wall_friction_angle_is_doubted_as_an_angle(self):
+        rows = ("3,0,1,0,50,0,40,1250,0", "12,0,3,0,48,0,39,1350,0")
+        wall = ("--set", "wall_friction={angle: 5 deg, error: 10 deg}")
+        self.assertEqual(self.told(*rows, words="tau_w", arguments=wall), [])
+        told = self.told(*rows, words="Wall friction: the angle is 5 deg with a standard error of 10 deg", arguments=wall)
+        self.assertEqual(len(told), 1)
+
+    def test_densities_that_hardly_a_bulk_solid_has(self):
+        """0.64 of 7850 kg/m3 is 5024."""
+        words = "Bulk density: rho_b is"
+        self.assertEqual(self.told("3,0,1,0,50,0,40,4900,0", "12,0,3,0,48,0,39,5020,0", words=words), [])
+        told = self.told("3,0,1,0,50,0,40,4900,0", "12,0,3,0,48,0,39,12100,0", words=words)
+        self.assertEqual(len(told), 1)
+        self.assertIn("12100 kg/m3 at sigma_1 12 kPa", told[0])
+
+
 if __name__ == "__main__":
     clod.unittest.main()

@@ -105,7 +105,8 @@ static void measure(laboratory *self, const scheme *of, uint64_t repeat)
 static double outlet(const clod_solid *solid)
 {
     double x = 0.0;
-    assert_int_equal(clod_curve_meet(&solid->strength, 1.0 / FACTOR, &x), CLOD_CURVE_MEETS);
+    assert_int_equal(clod_curve_meet(&solid->strength, 1.0 / FACTOR, (double)INFINITY, &x),
+                     CLOD_CURVE_MEETS);
     return x / FACTOR / clod_curve_at(&solid->rho, x);
 }
 
@@ -151,7 +152,8 @@ static double coverage(const scheme *of)
         for (uint64_t i = 0; i < SAMPLES; i++) {
             clod_draw_solid(&draw, i, drawn);
             double x = 0.0;
-            const clod_curve_meeting how = clod_curve_meet(&drawn->strength, 1.0 / FACTOR, &x);
+            const clod_curve_meeting how =
+                clod_curve_meet(&drawn->strength, 1.0 / FACTOR, (double)INFINITY, &x);
             found[i] = how == CLOD_CURVE_MEETS   ? outlet(drawn)
                        : how == CLOD_CURVE_BELOW ? 0.0
                                                  : (double)INFINITY;
@@ -248,8 +250,9 @@ static double half_width(bool turned)
     assert_true(clod_draw_init(&draw, &lab.solid, 5));
     for (uint64_t i = 0; i < MANY; i++) {
         clod_draw_solid(&draw, i, drawn);
-        assert_int_equal(clod_curve_meet(&drawn->strength, 1.0 / FACTOR, &found[i]),
-                         CLOD_CURVE_MEETS);
+        assert_int_equal(
+            clod_curve_meet(&drawn->strength, 1.0 / FACTOR, (double)INFINITY, &found[i]),
+            CLOD_CURVE_MEETS);
     }
     clod_draw_fini(&draw);
     qsort(found, MANY, sizeof *found, by_size);

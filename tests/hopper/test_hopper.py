@@ -157,6 +157,9 @@ class Hopper(hopper_case.Case):
         told = self.hopper("case.yaml", "-o", "rough").stdout
         self.assertIn("Funnel flow: the solid does not slide along this wall", told)
         self.assertRegex(told, r"diameter, emptying \(least\) +[0-9]+\.[0-9]")
+        self.assertRegex(told, r"critical outlet of mass flow +none +none +none  mm")
+        with open(self.path("rough.html")) as file:
+            self.assertRegex(file.read(), r"critical outlet of mass flow \[mm\]</th><td>none</td><td>none</td><td>none<")
         with open(self.path("rough.svg")) as file:
             self.assertIn("cone: funnel flow", file.read())
 

@@ -111,7 +111,8 @@ static void tabulate(const scheme *of, uint64_t repeat, clod_curve_point *streng
 static void look(const clod_solid *solid, double found[2])
 {
     double x = 0.0;
-    const clod_curve_meeting how = clod_curve_meet(&solid->strength, 1.0 / FACTOR, &x);
+    const clod_curve_meeting how =
+        clod_curve_meet(&solid->strength, 1.0 / FACTOR, (double)INFINITY, &x);
     found[0] = how == CLOD_CURVE_MEETS   ? x / FACTOR
                : how == CLOD_CURVE_BELOW ? 0.0
                                          : (double)INFINITY;

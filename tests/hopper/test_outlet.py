@@ -10,7 +10,7 @@ from hopper_case import FLOW, ROWS, clod
 
 SMOOTH = "wall_friction: {angle: 20 deg, error: 1 deg}\n"
 ADHESIVE = "wall_friction: {file: wall.csv}\n"  # tau_w = 0.3 kPa + 0.3 sigma_w: sticks at small stresses
-KINDS = ("below the critical one", "inside the interval", "do not flow through", "arches, as every outlet does")
+KINDS = ("below the critical one", "inside the interval", "do not flow through", "not large enough, as none is")
 
 
 class Outlet(clod.Case):
