@@ -233,7 +233,7 @@ static void a_good_case_has_no_warning(void **state)
 
 static void each_fault_has_its_warning(void **state)
 {
-    warns(state, RING, "time.step=3e-6 s", "above the safe step");
+    warns(state, RING, "time.step=1.2e-6 s", "above the safe step");
     warns(state, RING, "ring_shear.speed=900 mm/s", "even at the filling height: the grains'");
     warns(state, RING, "ring_shear.grain_count=2000",
           "2000 grains are 42 % of those that fill the depth (4");
@@ -336,7 +336,7 @@ static void a_step_beyond_the_critical_one_is_wrong_use(void **state)
     assert_int_equal(status.code, CLOD_USAGE);
     assert_non_null(strstr(status.text, "beyond the critical step"));
     snprintf(step, sizeof step, "time.step=%.6g s", 0.99 * critical);
-    warns(state, RING, step, "above the safe step");
+    warns(state, RING, step, "more than nine tenths");
 }
 
 static void the_rayleigh_limit_sets_the_step_of_hertz(void **state)
