@@ -70,6 +70,9 @@ typedef struct clod_check_report {
     double mass, solid_volume;                  ///< kg, m3
     // time step
     double step, automatic, critical; ///< s; critical: of the stiffest pair
+    double
+        stable;   ///< s, estimate of the largest step that the bed bears; 0: no two grains meet
+    bool sheared; ///< it is that of a shear test
     bool step_given;
     const char *reason;            ///< what sets the automatic step; static
     const char *pair_1, *pair_2;   ///< materials of the stiffest pair, borrowed

@@ -7,6 +7,25 @@
 #include "config/grid.h"
 #include "config/region.h"
 
+/** An index compares cells with each other: there must be two at least. */
+static void check_several(clod_loader *loader, const char *path, const clod_case_mixing *mixing)
+{
+    double low[3], high[3], longest = 0.0;
+    clod_region_bounds(&mixing->region, low, high);
+    for (int a = 0; a < 3; a++) {
+        longest = fmax(longest, high[a] - low[a]);
+    }
+    if (clod_grid_cells(low, high, mixing->cell) < 2.0) {
+        char key[CLOD_LOAD_PATH + 8];
+        snprintf(key, sizeof key, "%s.cell", path);
+        clod_check_fail(
+            loader, key,
+            "is %.4g m, so the region is one cell, and an index compares cells with "
+            "each other; make it less than the longest side of the region, %.4g m",
+            mixing->cell, longest);
+    }
+}
+
 /** Cells of the box about a region, or of what is seen of it from above, must be few. */
 static void check_cells(clod_loader *loader, const char *path, const clod_case_region *region,
                         double cell, bool from_above)
@@ -86,28 +105,40 @@ static void check_angle(clod_loader *loader, const char *path, const clod_case_r
     }
 }
 
-/** An angle needs three strips: along the slope, or from the axis of a heap outwards. */
-static void check_strips(clod_loader *loader, const char *path, const clod_case_repose *angle)
+/** Farthest that a slope, or a heap from its axis outwards, reaches within its region seen from above [m]; of a heap
+ *  without a centre at most. */
+static double reach_of(const clod_case_repose *angle)
 {
     double low[3], high[3];
     clod_region_bounds(&angle->region, low, high);
+    const bool round = clod_region_row(&angle->region)->upright;
     const double wide[2] = {high[0] - low[0], high[1] - low[1]};
-    double length = hypot(wide[0], wide[1]); // of a heap with its axis in a corner
-    if (angle->has_direction) {
-        const double *n = angle->direction;
-        length = (wide[0] * fabs(n[0]) + wide[1] * fabs(n[1])) / hypot(n[0], n[1]);
-    } else if (angle->has_center) {
-        const double *c = angle->center;
-        length =
-            hypot(fmax(c[0] - low[0], high[0] - c[0]), fmax(c[1] - low[1], high[1] - c[1]));
+    const double *n = angle->direction, *c = angle->center;
+    if (angle->has_direction && !round) {
+        return (wide[0] * fabs(n[0]) + wide[1] * fabs(n[1])) / hypot(n[0], n[1]);
     }
-    if (length < 2.0 * angle->cell) {
+    if (angle->has_center && !angle->has_direction) {
+        const double off[2] = {fabs(c[0] - 0.5 * (low[0] + high[0])),
+                               fabs(c[1] - 0.5 * (low[1] + high[1]))};
+        return round ? hypot(off[0], off[1]) + 0.5 * wide[0]
+                     : hypot(off[0] + 0.5 * wide[0], off[1] + 0.5 * wide[1]);
+    }
+    return round ? wide[0] : hypot(wide[0], wide[1]); // of a heap with its axis in a corner
+}
+
+/** An angle needs three strips: along the slope, or from the axis of a heap outwards. */
+static void check_strips(clod_loader *loader, const char *path, const clod_case_repose *angle)
+{
+    const double length = reach_of(angle);
+    if (length < 3.0 * angle->cell * (1.0 - 1e-9)) {
         char key[CLOD_LOAD_PATH + 8];
         snprintf(key, sizeof key, "%s.cell", path);
-        clod_check_fail(loader, key,
-                        "is %.4g m, too wide for a region that is %.4g m long: an angle needs "
-                        "three strips at least; make it %.2g m or less",
-                        angle->cell, length, 0.1 * length);
+        clod_check_fail(
+            loader, key,
+            "is %.4g m, too wide for a %s that is %.4g m long at most: an angle needs "
+            "three strips at least; make it %.3g m or less",
+            angle->cell, angle->has_direction ? "slope" : "flank", length,
+            0.33 * length); // rounded, still below a third
     }
 }
 
@@ -130,6 +161,7 @@ void clod_check_mixing(clod_loader *loader, const clod_case *self)
             clod_check_region(loader, path, &mixing->region) &&
             clod_check_region_place(loader, self, path, &mixing->region)) {
             check_cells(loader, path, &mixing->region, mixing->cell, false);
+            check_several(loader, path, mixing);
             check_kinds(loader, self, path, mixing);
         }
     }

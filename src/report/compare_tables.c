@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "report/compare_seeds.h"
 #include "report/shear.h"
+#include "report/shear_points.h"
 #include "report/shear_rows.h"
 #include "report/uniaxial_rows.h"
 #include "report/wall_page.h"
@@ -151,6 +152,9 @@ bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t cou
                                const json_t *lab, clod_status *status)
 {
     const loci own = {"locus", CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, locus_of};
+    for (size_t k = 0; k < count; k++) {
+        clod_shear_points_preshear(&runs[k]);
+    }
     json_t *beside = lab != NULL ? clod_shear_lab_beside(lab, runs, count) : NULL;
     const bool good =
         lab != NULL && beside == NULL

@@ -39,6 +39,9 @@ const clod_result_row CLOD_SHEAR_ROWS[CLOD_SHEAR_ROW_COUNT] = {
      "not given", false},
     {"rho_inside_kg_m3", "bulk density away from walls", "&rho;<sub>inside</sub>", "kg/m&sup3;",
      1.0, 1, NULL, "", false},
+    {CLOD_SHEAR_POINTS_WAY, "way of preshear at its end", "", "mm", 1e3, 1, NULL, "", false},
+    {CLOD_SHEAR_POINTS_SLOPE, "slope of the shear stress there", "", "kPa/mm", 1e-6, 2, NULL,
+     "", false},
     {"flow", "flow (Jenike)", "", "", 1.0, 0, NULL, NULL, true},
     {"r_squared", "fit of the line", "r&sup2;", "", 1.0, 4, NULL, "-", false},
 };

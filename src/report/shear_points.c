@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "clod/locus.h"
 #include "report/html.h"
 #include "report/rounded.h"
@@ -91,6 +92,53 @@ void clod_shear_points_recall(const clod_run_files *run)
         }
     }
     clod_locus_free(rows);
+}
+
+// ---- how preshear ended
+
+/** Mean of a number of all preshears of a run with its error, owned: of several the standard error of the mean, of
+ *  one its own (`error_key`, NULL: none). NULL: no preshear has the number. */
+static json_t *mean_of_preshears(const json_t *parts, const char *key, const char *error_key)
+{
+    double n = 0.0, mean = 0.0, squares = 0.0, own = (double)NAN;
+    size_t k;
+    const json_t *part;
+    json_array_foreach(parts, k, part)
+    {
+        const double value = clod_shear_number(part, key);
+        if (json_object_get(part, "steady") != NULL && isfinite(value)) { // a preshear
+            const double off = value - mean;
+            n += 1.0;
+            mean += off / n;
+            squares += off * (value - mean);
+            own = error_key != NULL ? clod_shear_number(part, error_key) : (double)NAN;
+        }
+    }
+    const double error = n > 1.0 ? sqrt(squares / (n - 1.0) / n) : own;
+    return n > 0.0 ? json_pack("{s:f, s:o}", "value", mean, "error", clod_json_number(error))
+                   : NULL;
+}
+
+void clod_shear_points_preshear(const clod_run_files *run)
+{
+    const json_t *parts = json_object_get(run->summary, "parts");
+    json_t *way = mean_of_preshears(parts, "displacement_m", NULL);
+    json_t *slope = mean_of_preshears(parts, "shear_stress_rate_Pa_per_m",
+                                      "shear_stress_rate_error_Pa_per_m");
+    size_t g;
+    json_t *locus;
+    json_array_foreach(json_object_get(json_object_get(run->summary, "locus"), "loci"), g,
+                       locus)
+    {
+        if (way != NULL) {
+            json_object_set(locus, CLOD_SHEAR_POINTS_WAY, way);
+        }
+        if (slope != NULL) {
+            json_object_set(locus, CLOD_SHEAR_POINTS_SLOPE, slope);
+        }
+    }
+    json_decref(way);
+    json_decref(slope);
 }
 
 // ---- table

@@ -11,6 +11,18 @@
 /** Take errors of shear points that the summary of an older clod does not tell from the run's points.csv. */
 void clod_shear_points_recall(const clod_run_files *run);
 
+#define CLOD_SHEAR_POINTS_WAY "preshear_displacement_m"
+#define CLOD_SHEAR_POINTS_SLOPE "preshear_shear_stress_rate_Pa_per_m"
+
+/**
+ * Put into the yield loci of a run how far preshear went and how the shear stress changed at its end, with standard
+ * errors: of one preshear those of its own, of several specimens the mean and the error of that. Summaries of older
+ * versions of clod have no slope: nothing is put in.
+ *
+ * Errors  none.   Test  tests/report/test_compare.py
+ */
+void clod_shear_points_preshear(const clod_run_files *run);
+
 /** The points of all sets, with their errors and whether a peak was found. @param summary  of the run that is
  *  simulated; NULL: none */
 void clod_shear_points_put(FILE *out, const json_t *summary, const clod_shear_loci *sets,

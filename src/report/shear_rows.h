@@ -9,7 +9,7 @@
 
 #include "report/result_table.h"
 
-#define CLOD_SHEAR_ROW_COUNT 14 ///< the last two: class of flow, fit of the line
+#define CLOD_SHEAR_ROW_COUNT 16 ///< the last two: class of flow, fit of the line
 
 extern const clod_result_row CLOD_SHEAR_ROWS[CLOD_SHEAR_ROW_COUNT];
 

@@ -57,6 +57,7 @@ typedef struct clod_timestep {
     const char *limit_a, *limit_b;         ///< its materials, borrowed from the case
     bool limit_wall;                       ///< b is a wall's
     double limit_radius_a, limit_radius_b; ///< m, its smallest grains; b: 0 for a wall
+    double bed; ///< s, estimate of the largest step that the bed bears; 0: no two grains meet
     // over all grain materials with a Young's modulus
     double rayleigh;          ///< s, smallest Rayleigh time; 0 = unknown
     double rayleigh_fraction; ///< step / rayleigh; 0 = unknown

@@ -73,6 +73,8 @@ static void look_at_step(const clod_check_subject *subject, clod_check_report *r
     report->step_given = t->given;
     report->automatic = t->automatic;
     report->critical = t->critical;
+    report->stable = t->bed;
+    report->sheared = clod_case_shear(subject->from) != NULL;
     report->reason = t->text;
     report->pair_1 = materials[t->material_a].name;
     report->pair_2 = materials[t->material_b].name;

@@ -18,6 +18,7 @@ static const clod_check_real REALS[] = {
     CLOD_CHECK_REAL("step_s", step),
     CLOD_CHECK_REAL("step_auto_s", automatic),
     CLOD_CHECK_REAL("step_critical_s", critical),
+    CLOD_CHECK_REAL("stable_step_estimate_s", stable),
     CLOD_CHECK_REAL("stiffest_radius_1_m", pair_radius_1),
     CLOD_CHECK_REAL("stiffest_radius_2_m", pair_radius_2),
     CLOD_CHECK_REAL("stiffness_N_per_m", stiffness),

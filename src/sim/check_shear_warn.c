@@ -10,29 +10,29 @@
 #define MANY_GRAINS 1.4
 #define WEAK_STRESS 0.1 ///< points below this part of the preshear stress are unsafe
 
-/** A dry bed settles to about the height aimed at; a cohesive one stays looser and higher. */
+/** A dry bed settles to about the height aimed at; a cohesive one stays looser and higher. The speed advised is slow
+ *  enough for either: the number goes with 1/height, and none settles lower. */
 static void warn_inertia(const clod_shear_cell *cell, clod_check_report *r)
 {
     const double speed = cell->programme->speed;
     const bool cohesive = r->pull_off > 0.0;
     const double number = cohesive ? r->inertial_loose : r->inertial_preshear;
+    const double slow = 1e3 * speed * CLOD_LIMITS_INERTIA_GOOD / r->inertial_preshear;
     if (number > CLOD_LIMITS_INERTIA) {
         clod_check_warning(
             r,
             "inertial number %.3g%s: the grains' inertia adds to the shear stress (%.2g is "
-            "quasi-static). Lower %s.speed to %.2g mm/s",
+            "quasi-static). Lower %s.speed to %.2g mm/s%s",
             number, cohesive ? " even at the filling height" : "", CLOD_LIMITS_INERTIA_GOOD,
-            cell->key, 1e3 * speed * CLOD_LIMITS_INERTIA_GOOD / number);
+            cell->key, slow, cohesive ? ", slow enough wherever the bed settles" : "");
     } else if (r->inertial_preshear > CLOD_LIMITS_INERTIA) {
-        const double height = // the number goes with 1/height
-            r->height_aimed * r->inertial_preshear / CLOD_LIMITS_INERTIA;
+        const double height = r->height_aimed * r->inertial_preshear / CLOD_LIMITS_INERTIA;
         clod_check_note(
             r,
             "%.3g mm/s may be too fast if the bed settles below %.3g mm (inertial number above "
             "%.2g): the results state the height and warn if so. %.2g mm/s is slow enough at "
             "any height",
-            1e3 * speed, 1e3 * height, CLOD_LIMITS_INERTIA,
-            1e3 * speed * CLOD_LIMITS_INERTIA_GOOD / r->inertial_preshear);
+            1e3 * speed, 1e3 * height, CLOD_LIMITS_INERTIA, slow);
     }
 }
 

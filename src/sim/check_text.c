@@ -75,6 +75,14 @@ static void write_step(clod_check_page *to, const clod_check_report *r)
     }
     clod_check_line(to, "stiffest contact", "%.4g N/m on %.4g kg: critical step %.4g s",
                     r->stiffness, r->spring_mass, r->critical);
+    if (r->stable > 0.0) {
+        clod_check_line(
+            to, "stable step",
+            "at most some %.3g s for the bed%s: an estimate, of which beds that were "
+            "measured bore 0.9 to 4 times;",
+            r->stable, r->sheared ? " when sheared" : " at rest");
+        clod_check_line(to, "", "the results have the measured one");
+    }
     clod_check_line(
         to, "collision",
         "of these two: %.3g steps; restitution %.4g to %.4g where the case asks for %.3g",

@@ -12,7 +12,8 @@
 #include "tester/limits.h"
 
 #define RAYLEIGH_LIMIT 0.2
-#define SERVO_STEPS 20.0 ///< steps in one period of a loaded wall
+#define RESTITUTION_MOST 1.01 ///< without a dash-pot 10 steps a collision return up to 1.012
+#define SERVO_STEPS 20.0      ///< steps in one period of a loaded wall
 
 void clod_check_warning(clod_check_report *report, const char *format, ...)
 {
@@ -35,15 +36,53 @@ void clod_check_note(clod_check_report *report, const char *format, ...)
     }
 }
 
-static void warn_step(clod_check_report *r)
+/** What brings the step below one that a bed bears; rounded down to three digits. */
+static void say_lower(const clod_case_time *time, const clod_check_report *r, double good,
+                      char text[64])
 {
-    if (r->step > 1.001 * r->automatic) {
+    const double part = 0.995 * good / r->step;
+    if (r->step_given) {
+        snprintf(text, 64, "time.step to %.3g s%s", part * r->step,
+                 r->automatic < good ? ", or write auto" : "");
+    } else if (r->rayleigh_imposed) {
+        snprintf(text, 64, "time.rayleigh_limit to %.3g", part * time->rayleigh_limit);
+    } else {
+        snprintf(text, 64, "time.safety to %.3g", part * time->safety);
+    }
+}
+
+/** A step that a bed may not bear (docs/theory/stability.md), or that is larger than auto. */
+static void warn_bed(const clod_case *from, clod_check_report *r)
+{
+    const double good = CLOD_LIMITS_STABLE * r->stable;
+    if (r->stable > 0.0 && r->step > good) {
+        char lower[64];
+        say_lower(&from->time, r, good, lower);
+        clod_check_warning(
+            r,
+            "the step %.3g s is more than nine tenths of %.3g s, the largest stable one estimated for "
+            "the bed%s: beyond it grains jitter and press each other, and nothing stops the run. "
+            "Lower %s, unless results show that the bed bears it",
+            r->step, r->stable, r->sheared ? " when sheared" : "", lower);
+    } else if (r->step_given && r->step > 1.001 * r->automatic) {
         clod_check_warning(
             r,
             "time.step %.3g s is above the safe step %.3g s: grains with several contacts may "
             "gain energy. Use auto",
             r->step, r->automatic);
     }
+    if (r->restitution_most > RESTITUTION_MOST) {
+        clod_check_warning(
+            r,
+            "with %.2g steps a collision may return %.3g of its speed: grains gain energy. Lower the "
+            "step",
+            r->collision_steps, r->restitution_most);
+    }
+}
+
+static void warn_step(const clod_case *from, clod_check_report *r)
+{
+    warn_bed(from, r);
     if (r->rayleigh_imposed && r->rayleigh_fraction > RAYLEIGH_LIMIT) {
         clod_check_warning(
             r,
@@ -171,7 +210,7 @@ void clod_check_warn(const clod_check_subject *subject, clod_check_report *repor
 {
     const clod_tester_row *tester = clod_testers_row(report->kind);
     warn_outputs(subject->from, report);
-    warn_step(report);
+    warn_step(subject->from, report);
     warn_contact(subject->from, report);
     warn_solid(subject->from, report);
     clod_check_soften_warn(subject, report);

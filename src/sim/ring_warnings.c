@@ -18,7 +18,9 @@ const char *clod_ring_preshear_words(const clod_ring_shear *test,
     const double error = 1e-6 * test->preshear_rate_error;
     const double way = 1e3 * test->preshear_displacement;
     if ((test->flags & CLOD_RING_SHEAR_NOT_STEADY) == 0) {
-        snprintf(text, CLOD_RING_WORDS_SIZE, "steady after %.3g mm of shear", way);
+        snprintf(text, CLOD_RING_WORDS_SIZE,
+                 "steady after %.3g mm of shear, its slope %+.2g ± %.1g kPa/mm", way, rate,
+                 error);
     } else if (fabs(rate) > 2.0 * error) {
         snprintf(text, CLOD_RING_WORDS_SIZE,
                  "still %s by %.2g ± %.1g kPa/mm after %.3g mm of shear",

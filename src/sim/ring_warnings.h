@@ -11,9 +11,11 @@
 #define CLOD_RING_WORDS_SIZE 128
 
 /**
- * Whether a preshear was steady, or how fast its shear stress still changed, in `text`.
+ * Whether a preshear was steady, and how fast its shear stress changed at its end with the standard error of
+ * that, in `text`.
  *
  * @return  text
+ * Errors  none.   Test  tests/sim/test_ring_warnings.c
  */
 const char *clod_ring_preshear_words(const clod_ring_shear *test,
                                      char text[CLOD_RING_WORDS_SIZE]);

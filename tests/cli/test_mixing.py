@@ -170,7 +170,7 @@ class Mixing(clod.Case):
         self.put([(0.0, 2.0, 2.0, 1.0), (30.0, 2.0, 2.0, 0.9), (60.0, 2.0, 2.0, 1.0)], f"""\
 mixing:
   one_kind: {{{here}, cell: 20 mm, above: 0.5 mm}}
-  one_cell: {{{here}, cell: 150 mm, above: 0.95 mm}}
+  one_cell: {{{here}, cell: 120 mm, above: 0.95 mm}}
   alone: {{{here}, cell: 20 mm, above: 0.95 mm}}
   empty: {{{beside}, cell: 5 mm, above: 0.95 mm}}
 repose:
@@ -218,6 +218,17 @@ fields:
         self.assertIn("fields.all.interval 0.5 s is longer than the steady time of 0.4 s",
                       self.warnings(DRUM + field.replace("LONG", "0.5 s")))
         self.assertNotIn("fields.", self.warnings(DRUM + field.replace("LONG", "0.3 s")))
+
+    def test_check_warns_of_a_heap_without_room(self):
+        """From the middle of 50 mm by 20 mm to a corner are 26.9 mm: two whole strips of 9 mm, three of 8.9 mm; from a corner 53.9 mm."""
+        heap = """\
+  heap: {region: {box: {min: [-25 mm, 0 mm, -25 mm], max: [25 mm, 20 mm, 25 mm]}}, cell: CELL, to: 90 %}
+"""
+        self.assertIn("repose.heap.cell 0.009 m: from the middle of the region, about which a heap has its axis, to its farthest point are "
+                      "0.0269 m, fewer than the three strips that an angle needs. Make it 0.00889 m or less",
+                      self.warnings(DRUM.replace("repose:\n", "repose:\n" + heap.replace("CELL", "9 mm"))))
+        for cell in ("8.9 mm", "9 mm, center: [-25 mm, 0 mm]"):
+            self.assertNotIn("repose.", self.warnings(DRUM.replace("repose:\n", "repose:\n" + heap.replace("CELL", cell))))
 
     @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):

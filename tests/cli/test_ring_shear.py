@@ -220,7 +220,9 @@ class RingShear(clod.TesterCase):
     def test_warnings(self):
         """Steady, so nothing about that; small and fast, so those are told, each once."""
         self.assertIn("Warnings of the simulation", self.report)
-        self.assertIn("preshear: shear stress steady after", self.report)
+        rate, error = (1e-6 * self.part["preshear"][f"shear_stress_rate{key}_Pa_per_m"] for key in ("", "_error"))
+        self.assertIn(f"preshear: shear stress steady after {1e3 * self.part['preshear']['displacement_m']:.3g} mm of shear, "
+                      f"its slope {rate:+.2g} ± {error:.1g} kPa/mm\n", self.report)
         self.assertTrue(self.part["preshear"]["steady"])
         for text in ("preshear: inertial number", "point-1: inertial number",
                      "preshear: overlap up to",

@@ -55,6 +55,25 @@ class Compare(pages.PageCase):
         self.assertIn("of 3 runs whose cases differ in nothing but seed and title: seed1, seed2, seed3.", note)
         self.assertIn("have no part in means", note)  # "again"
 
+    def preshear(self, name, seed, way, rate, error):
+        return {"part": name, "seed": seed, "steady": True, "displacement_m": way, "shear_stress_rate_Pa_per_m": rate,
+                "shear_stress_rate_error_Pa_per_m": error}
+
+    def test_how_preshear_ended(self):
+        """Way and slope with its error; of the specimens of one test their mean: of 0.1 and 0.3 kPa/mm 0.2 with an error of 0.1, of 10 and
+        14 mm 12 with 2. Of both tests 16 and 0.02 kPa/mm; nothing of a test whose clod told no slope but its way."""
+        self.shear("one", 1, parts=[self.preshear("preshear", 1, 20e-3, -0.16e6, 0.04e6), {"part": "point-1", "seed": 1, "displacement_m": 1e-3}])
+        self.shear("two", 3, parts=[self.preshear("preshear-1", 3, 10e-3, 0.1e6, 0.9e6), self.preshear("preshear-2", 4, 14e-3, 0.3e6, 0.9e6)])
+        self.shear("old", 5, density="2600", parts=[{"part": "preshear", "seed": 5, "steady": True, "displacement_m": 8e-3}])
+        page = self.compare("one", "two", "old")
+        way = page.row("way of preshear at its end [mm]")
+        self.assertEqual(way[2:], ["20.0", "12.0 ± 2.0", "8.0", "16.0 ± 4.0 (s 5.7)"])
+        slope = page.row("slope of the shear stress there [kPa/mm]")
+        self.assertEqual(slope[2:], ["-0.160 ± 0.040", "0.20 ± 0.10", "", "0.02 ± 0.18 (s 0.25)"])
+        self.shear("none", 6, density="2700")
+        page = self.compare("none", "none")
+        self.assertNotIn("way of preshear", "".join(page.words))
+
     def test_packings_in_common_are_no_repeats(self):
         """With two seeds a test has the packings seed and seed + 1: those of 1 and 2 have one in common, those of 1 and 3 none."""
         for seed in (1, 2, 3):

@@ -69,6 +69,22 @@ static void nothing_is_wrong(void **state)
     json_decref(list);
 }
 
+/** A pause is no steady state: the slope stands beside the word, with its error. 1 kPa/mm is 1e6 Pa/m. */
+static void a_steady_preshear_has_its_slope(void **state)
+{
+    (void)state;
+    char words[CLOD_RING_WORDS_SIZE];
+    now.test[0].preshear_displacement = 12.5e-3;
+    now.test[0].preshear_rate = -0.034e6;
+    now.test[0].preshear_rate_error = 0.08e6;
+    assert_string_equal(clod_ring_preshear_words(&now.test[0], words),
+                        "steady after 12.5 mm of shear, its slope -0.034 ± 0.08 kPa/mm");
+    now.test[0].flags = CLOD_RING_SHEAR_NOT_STEADY;
+    now.test[0].preshear_rate = 0.34e6;
+    assert_string_equal(clod_ring_preshear_words(&now.test[0], words),
+                        "still rising by 0.34 ± 0.08 kPa/mm after 12.5 mm of shear");
+}
+
 /** In a Jenike cell the rims may be what ends the way back. */
 static void a_shear_stress_that_stays_has_a_remedy(void **state)
 {
@@ -159,6 +175,7 @@ int main(void)
 #define T(name) cmocka_unit_test_setup(name, make_box)
     const struct CMUnitTest tests[] = {
         T(nothing_is_wrong),
+        T(a_steady_preshear_has_its_slope),
         T(a_shear_stress_that_stays_has_a_remedy),
         T(a_longer_way_has_a_remedy),
         T(a_cell_that_is_too_small_has_a_remedy),
