@@ -292,7 +292,7 @@ static void a_cohesive_bed_that_may_settle_too_low_is_noted(void **state)
 // 29.93 mm/s at 40 mm has 1e-3, whatever the height at which it was warned of; what is advised is not warned or noted again.
 static void the_speed_advised_is_slow_enough_at_once(void **state)
 {
-    warns(state, RING, "ring_shear.speed=900 mm/s",
+    warns(state, RING, "ring_shear.speed=150 mm/s",
           "Lower ring_shear.speed to 30 mm/s, slow enough wherever the bed settles");
     const clod_check_report *r = check(state, RING, "ring_shear.speed=30 mm/s");
     assert_int_equal(r->warning_count + r->note_count, 0);
