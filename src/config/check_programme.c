@@ -84,9 +84,9 @@ static void check_ways(clod_loader *loader, const char *section,
                         written(loader, section, "preshear_max", "block_displacement", path),
                         "preshear can never be steady: %lld blocks (steady_blocks) of %.10g m "
                         "(block_displacement) behind the %.3g m on which it comes to its speed "
-                        "are longer than preshear_max = %.10g m",
+                        "are longer than preshear_max = %.10g m; make that %.4g m or more",
                         (long long)programme->steady_blocks, programme->block_displacement,
-                        start, programme->preshear_max);
+                        start, programme->preshear_max, 1.0005 * (start + blocks));
     }
     if (programme->preshear_min > programme->preshear_max) {
         clod_check_fail(loader, written(loader, section, "preshear_max", "preshear_min", path),

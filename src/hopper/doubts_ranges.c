@@ -21,6 +21,12 @@ static void put_ranges(const clod_ranges *ranges, char text[ROOM])
     }
 }
 
+/** Whether the curve only rises through the ray: up to a size none stands, above it all do. */
+static bool only_rises(const clod_ranges *ranges)
+{
+    return ranges->count == 1 && ranges->of[0].from == 0.0;
+}
+
 /** Whether all that stands above a range does so beyond the largest measured stress. */
 static bool is_beyond(const clod_hopper_design *at)
 {
@@ -40,6 +46,14 @@ void clod_doubts_ranges(clod_hopper *self, const char *name, const clod_hopper_f
                  " That rests on an extrapolation beyond the largest sigma_1, %.3f kPa.",
                  1e-3 * curve->points[curve->count - 1].x);
     }
+    if (only_rises(&found->lower)) {
+        clod_warning_list_add(
+            &self->warnings,
+            "%s: no arch stands over outlets below %.1f mm, but one does above them, where the hopper is wider: "
+            "strength grows faster with stress than the stress in an arch.%s",
+            name, 1e3 * found->lower.of[0].to, beyond);
+        return;
+    }
     put_ranges(&found->lower, ranges);
     clod_warning_list_add(
         &self->warnings,
@@ -51,7 +65,13 @@ void clod_doubts_ranges(clod_hopper *self, const char *name, const clod_hopper_f
 void clod_doubts_holes(clod_hopper *self)
 {
     char ranges[ROOM];
-    if (self->lower_holes.count > 0) {
+    if (only_rises(&self->lower_holes)) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Rathole, emptying: below %.1f mm none stands, but wider ones do: strength grows faster with stress than "
+            "the stress about a rathole.",
+            1e3 * self->lower_holes.of[0].to);
+    } else if (self->lower_holes.count > 0) {
         put_ranges(&self->lower_holes, ranges);
         clod_warning_list_add(
             &self->warnings,

@@ -78,7 +78,7 @@ static void put_specimens(FILE *out, const clod_hopper *self, int shape)
     for (; k < self->specimen_count && used < sizeof text - 80; k++) {
         const clod_hopper_specimen *at = &self->specimens[k];
         const double outlet = 1e3 * at->outlet[shape];
-        char number[32] = "infinite";
+        char number[32] = "none"; // arches at every size, or funnel flow
         if (isfinite(outlet)) {
             snprintf(number, sizeof number, "%.1f", outlet);
         }

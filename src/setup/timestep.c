@@ -191,8 +191,9 @@ static void meet(const clod_case *from, const clod_timestep_grains *grains, int 
     const double period = spring_period(spring);
     if (!wall) {
         const double deep = clod_case_shear(from) != NULL ? DEEPEST : 1.0;
+        const double most = from->time.overlap_limit * 2.0 * pair.r_star; // a run stops there
         const double bed = clod_lattice_step(&pair.law, 2.0 * pair.m_star, 2.0 * pair.r_star,
-                                             deep * pair.overlap);
+                                             fmin(deep * pair.overlap, most));
         self->bed = self->bed > 0.0 ? fmin(self->bed, bed) : bed;
     }
     if (!(self->limit > 0.0) || period / M_PI < self->limit) {

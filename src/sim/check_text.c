@@ -78,10 +78,9 @@ static void write_step(clod_check_page *to, const clod_check_report *r)
     if (r->stable > 0.0) {
         clod_check_line(
             to, "stable step",
-            "at most some %.3g s for the bed%s: an estimate, of which beds that were "
-            "measured bore 0.9 to 4 times;",
-            r->stable, r->sheared ? " when sheared" : " at rest");
-        clod_check_line(to, "", "the results have the measured one");
+            "some %.3g s by an estimate for the bed %s; beds that were measured bore 0.9 to 4 times theirs, and the",
+            r->stable, r->sheared ? "when sheared" : "under its mean load");
+        clod_check_line(to, "", "results have the measured one");
     }
     clod_check_line(
         to, "collision",

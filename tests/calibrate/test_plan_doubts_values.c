@@ -67,15 +67,14 @@ static void shear_stresses(void **state)
 static void stresses_of_a_shear_test(void **state)
 {
     check(state, RING, NUMBER("c", "56 Pa", "1 Pa"), NULL);
-    check(
-        state, RING, NUMBER("c", "54 Pa", "1 Pa"),
-        "targets.0: lab: c, 0.054 kPa, is 0.00099 times the preshear stress, 54.8 kPa: hardly "
-        "any solid or wall has so little");
-    check(state, RING, NUMBER("c", "54 Pa", "54 Pa"), NULL);
+    check(state, RING, NUMBER("c", "54 Pa", "1 Pa"),
+          "targets.0: lab: c, 0.054 kPa, is 0.00099 times the preshear stress, 54.8 kPa: next "
+          "to none");
+    check(state, RING, NUMBER("c", "54 Pa", "28 Pa"), NULL); // 0 within two errors
     check(state, RING, NUMBER("c", "0 Pa", "1 Pa"), NULL);
-    check(state, RING, NUMBER("sigma_2", "54 Pa", "1 Pa"), "has so little");
+    check(state, RING, NUMBER("sigma_2", "54 Pa", "1 Pa"), "next to none");
     check(state, RING, NUMBER("sigma_c", "111 Pa", "1 Pa"), NULL);
-    check(state, RING, NUMBER("sigma_c", "108 Pa", "1 Pa"), "has so little");
+    check(state, RING, NUMBER("sigma_c", "108 Pa", "1 Pa"), "next to none");
     check(state, RING, NUMBER("c", "111.5 kPa", "1 kPa"), NULL);
     check(state, RING, NUMBER("c", "111.7 kPa", "1 kPa"),
           "hardly any solid or wall has more than 109.6 kPa there");
@@ -91,7 +90,7 @@ static void stresses_of_other_tests(void **state)
     check(state, UNIAXIAL, NUMBER("sigma_c", "22.1 kPa", "1 kPa") AT("20 kPa"),
           "sigma_c at 20 kPa, 22.1 kPa, is 1.1 times the consolidation stress, 20 kPa");
     check(state, UNIAXIAL, NUMBER("sigma_c", "41 Pa", "1 Pa") AT("20 kPa"), NULL);
-    check(state, UNIAXIAL, NUMBER("sigma_c", "39 Pa", "1 Pa") AT("20 kPa"), "has so little");
+    check(state, UNIAXIAL, NUMBER("sigma_c", "39 Pa", "1 Pa") AT("20 kPa"), "next to none");
     check(state, UNIAXIAL, NUMBER("ffc", "0.81", "0.1") AT("20 kPa"), NULL);
     check(state, UNIAXIAL, NUMBER("ffc", "0.79", "0.1") AT("20 kPa"),
           "targets.0: lab: ffc at 20 kPa, 0.79, is below 1");
@@ -131,7 +130,9 @@ static void errors(void **state)
     check(state, RING, NUMBER("phi_e", "40 deg", "1e-6 deg"), "is 2.5e-08 of its value");
     check(state, RING, NUMBER("phi_e", "40 deg", "1e-6 deg, discrepancy: 0.5 deg"), NULL);
     lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n20,1500\n54.8,1600\n");
-    check(state, UNIAXIAL, "locus: lab.csv, error: 1 kg/m3", "is 0.00067 of its value");
+    check(state, UNIAXIAL, "locus: lab.csv, error: 1 kg/m3",
+          NULL); // densities are known better
+    check(state, UNIAXIAL, "locus: lab.csv, error: 0.1 kg/m3", "is 6.7e-05 of its value");
 }
 
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
