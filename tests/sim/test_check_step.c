@@ -67,7 +67,8 @@ static void a_sheared_bed_by_hand(void **state)
     assert_int_equal(report.warning_count, 0);
     clod_check_report_text(&report, text);
     snprintf(line, sizeof line,
-             "stable step        some %.3g s by an estimate for the bed when sheared", report.stable);
+             "stable step        some %.3g s by an estimate for the bed when sheared",
+             report.stable);
     assert_non_null(strstr(text, line));
     assert_true(clod_check_report_json(&report, text));
     assert_non_null(strstr(text, "\"stable_step_estimate_s\""));
