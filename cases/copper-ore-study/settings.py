@@ -20,7 +20,7 @@ def softer(ore, factor):
 
 
 def twice_as_fast(ore):
-    """Half the time; phi_lin may be 2 degrees higher (docs/results/faster-test.md)."""
+    """What moves no number of the 5 % ore beyond its error (docs/results/faster-test.md), in half the time."""
     return [f"ring_shear.speed={2 * SPEED[ore]:g} mm/s"]
 
 
