@@ -141,7 +141,7 @@ class Groups(rank_groups.Groups):
 
     def test_seeds_and_points_of_a_jenike_test(self):
         self.assert_same((2,), PARTS, JENIKE, "--set", "jenike.seeds=2", "--set",
-                         "jenike.preshear_max=2 mm", "--set", "jenike.shear_max=1 mm")
+                         "jenike.preshear_max=2.5 mm", "--set", "jenike.shear_max=1 mm")
 
 
 if __name__ == "__main__":
