@@ -36,6 +36,7 @@ static void make_valid(clod_check_report *report, const uint8_t flags[4])
     report->pair_wall = (flags[2] & 2) != 0;
     report->rayleigh_imposed = (flags[2] & 4) != 0;
     report->busy = (flags[2] & 8) != 0;
+    report->sheared = (flags[2] & 128) != 0;
     report->of_ranks.ranks = (flags[2] & 32) != 0 ? 4 : 0;
     report->plate_ridges = (flags[2] & 64) != 0 ? 39 : 0;
     report->soften = (flags[2] & 16) != 0 ? 100.0 : 0.0;
