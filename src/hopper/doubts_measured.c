@@ -14,6 +14,7 @@
 #define MOST_TEST 1e6               // Pa: hoppers and silos have some 100 kPa at most
 #define LEAST_PHI_W (3.0 * DEGREE)  // PTFE has some 6 deg
 #define MOST_FFC 100.0              // the best powder testers tell an ffc of some 50
+#define AT_TEXT 48                  ///< bytes of where a value is
 #define LEAST_PHI_E (20.0 * DEGREE) // bulk solids have 25 to 70 deg
 #define DENSER 1.03                 // away from the walls: more than a density is measured to
 #define MOST_RHO 5030.0 // kg/m3: 0.64, random close packing, of spheres of steel, 7850
@@ -125,6 +126,15 @@ static void warn_beside_friction(clod_hopper *self)
     }
 }
 
+/** " at sigma_1 2 kPa"; "" of a single value, which is that of any stress. */
+static void put_at(const clod_curve *self, const clod_curve_point *point, char text[AT_TEXT])
+{
+    text[0] = '\0';
+    if (self->count > 1) {
+        snprintf(text, AT_TEXT, " at sigma_1 %.6g kPa", 1e-3 * point->x);
+    }
+}
+
 /** The smallest effective angle, where no bulk solid has so small a one. */
 static void warn_friction(clod_hopper *self)
 {
@@ -134,10 +144,8 @@ static void warn_friction(clod_hopper *self)
         least = curve->points[i].y < least->y ? &curve->points[i] : least;
     }
     if (least->y < LEAST_PHI_E) {
-        char at[48] = ""; // a single value is that of any stress
-        if (curve->count > 1) {
-            snprintf(at, sizeof at, " at sigma_1 %.6g kPa", 1e-3 * least->x);
-        }
+        char at[AT_TEXT];
+        put_at(curve, least, at);
         clod_warning_list_add(
             &self->warnings,
             "Effective friction: phi_e is %.4g deg%s. Bulk solids have 25 to 70 deg. Is its unit another one, "
@@ -229,10 +237,8 @@ static void warn_dense(clod_hopper *self)
         most = curve->points[i].y > most->y ? &curve->points[i] : most;
     }
     if (most->y > MOST_RHO) {
-        char at[48] = ""; // a single value is that of any stress
-        if (curve->count > 1) {
-            snprintf(at, sizeof at, " at sigma_1 %.6g kPa", 1e-3 * most->x);
-        }
+        char at[AT_TEXT];
+        put_at(curve, most, at);
         clod_warning_list_add(
             &self->warnings,
             "Bulk density: rho_b is %.6g kg/m3%s. Spheres of steel have 5000 when they are packed at random as "
