@@ -1,7 +1,7 @@
 /**
  * @file locus.c
  * clod locus TABLE.csv: yield loci and flow function of shear points, wall yield loci, bulk
- * densities.
+ * densities, angles of repose.
  */
 
 #include <argp.h>
@@ -121,7 +121,7 @@ int clod_app_locus(int argc, char **argv)
         .doc =
             "Evaluate a table, simulated or measured: shear points to yield locus, Mohr circles "
             "and flow function; wall friction to wall yield locus, wall friction angles and "
-            "adhesion; bulk densities to compressibility. TABLE.csv may be - for standard "
+            "adhesion; bulk densities to compressibility; angles of repose to their mean. TABLE.csv may be - for standard "
             "input.\vThe columns say what the table is; their units stand in its header.\n"
             "Shear points: sigma_pre [kPa], tau_pre "
             "[kPa], sigma_sh [kPa], tau_sh [kPa]; optional seed, rho_b [kg/m3], "
@@ -132,7 +132,9 @@ int clod_app_locus(int argc, char **argv)
             "shear stress still changed), wall_stress [kPa], the normal stress that a simulation "
             "was asked for.\n"
             "Bulk densities: sigma_1 [kPa], rho_b [kg/m3]; optional sigma_1_error [kPa], "
-            "rho_b_error [kg/m3].",
+            "rho_b_error [kg/m3].\n"
+            "Angles of repose: angle_of_repose [deg], one row of each heap; optional "
+            "angle_of_repose_error [deg].",
     };
     request self = {.write = clod_measured_table};
     if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {

@@ -35,6 +35,7 @@ def preshear(ore, way):
             "ring_shear.block_displacement=1 mm", "ring_shear.steady_blocks=4"]
 
 
+LITERAL = ["contacts.default.tangential=literal", "time.safety=0.2"]
 NO_ROLLING = ["contacts.default.rolling_friction=0"]
 COULOMB = {limit: [f"contacts.default.coulomb={limit}"] for limit in ("force", "adhesive")}
 LONG = ["ring_shear.preshear_max=120 mm"]
@@ -61,7 +62,8 @@ def choices(ore):
         "rolling cdt": ["contacts.default.rolling=cdt"],
         "zeta 2/7": ["contacts.default.tangential_ratio=0.285714"],
         # seventeen times the steps at the automatic step: compare with "step x 2"
-        "tangential literal": ["contacts.default.tangential=literal", "time.safety=0.2"],
+        "tangential literal": LITERAL,
+        "literal, speed x 2": LITERAL + twice_as_fast(ore),
         "restitution 0.1": ["contacts.default.restitution=0.1"],
         "restitution 0.8": ["contacts.default.restitution=0.8"],
         "filled at full adhesion": ["ring_shear.fill_adhesion=1"],
@@ -87,9 +89,9 @@ def choices(ore):
 
 CHOICES = list(choices("ore5"))
 MATRIX = ["", "coulomb: force", "coulomb: adhesive", "no rolling resistance", "force, no rolling resistance",
-          "adhesive, no rolling resistance", "tangential literal"]
+          "adhesive, no rolling resistance", "literal, speed x 2"]
 SHORT = {"coulomb: force": "force", "coulomb: adhesive": "adhesive", "preshear to 25 mm": "25-mm",
-         "preshear to 120 mm": "long", "adhesive, preshear to 120 mm": "adhesive-long",
+         "preshear to 120 mm": "long", "literal, speed x 2": "tangential-literal-speed-x-2", "adhesive, preshear to 120 mm": "adhesive-long",
          "force, no rolling resistance": "force-no-rolling-resistance",
          "adhesive, no rolling resistance": "adhesive-no-rolling-resistance"} | {
              over(way): f"preshear-over-{way}-mm" for way in WAYS}

@@ -2,11 +2,12 @@
 /**
  * @file measured.h
  * A table of a laboratory, or of a simulation, whichever its header says it is: shear points, a
- * wall yield locus, or bulk densities; read and evaluated.
+ * wall yield locus, bulk densities, or angles of repose; read and evaluated.
  */
 
 #include "clod/bulk_density.h"
 #include "clod/locus.h"
+#include "clod/repose_angles.h"
 #include "clod/wall_locus.h"
 
 #ifdef __cplusplus
@@ -17,6 +18,7 @@ typedef enum clod_measured_kind {
     CLOD_MEASURED_SHEAR,   ///< anything that is none of the others
     CLOD_MEASURED_WALL,    ///< has a column sigma_w or tau_w
     CLOD_MEASURED_DENSITY, ///< has columns sigma_1 and rho_b, and no f_c
+    CLOD_MEASURED_REPOSE,  ///< has a column angle_of_repose
 } clod_measured_kind;
 
 typedef struct clod_measured {
@@ -24,6 +26,7 @@ typedef struct clod_measured {
     clod_locus_study *study; ///< owned; of shear points, else NULL
     clod_wall_locus wall;
     clod_bulk_density density;
+    clod_repose_angles repose;
 } clod_measured;
 
 /** What a table is, by the first line that is no comment. Threads: pure. */

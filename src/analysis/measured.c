@@ -79,6 +79,11 @@ static bool is_density(const char *header)
            !has_strength(header);
 }
 
+static bool is_repose(const char *header)
+{
+    return has(header, "angle_of_repose");
+}
+
 clod_measured_stress clod_measured_stress_of(const char *text, size_t length)
 {
     static const char *const SHEAR[] = {"sigma_sh", "sigma_s", "sigma",     "tau_sh",
@@ -174,6 +179,21 @@ static bool read_density(const char *path, const char *text, size_t length,
     return good || fail_evaluation(path, &why, status);
 }
 
+static bool read_repose(const char *path, const char *text, size_t length,
+                        const clod_locus_defaults *defaults, clod_measured *self,
+                        clod_status *status)
+{
+    (void)defaults; // it has none
+    clod_repose_heap *heaps;
+    size_t count;
+    if (!clod_repose_angles_parse(path, text, length, &heaps, &count, status)) {
+        return false;
+    }
+    const bool good = clod_repose_angles_evaluate(heaps, count, &self->repose, status);
+    clod_locus_free(heaps);
+    return good;
+}
+
 // ---- one row for each kind
 
 typedef struct kind_row {
@@ -232,6 +252,21 @@ static char *density_csv(const clod_measured *self)
     return clod_bulk_density_csv(&self->density);
 }
 
+static char *repose_table(const clod_measured *self)
+{
+    return clod_repose_angles_table(&self->repose);
+}
+
+static char *repose_json(const clod_measured *self)
+{
+    return clod_repose_angles_json(&self->repose);
+}
+
+static char *repose_csv(const clod_measured *self)
+{
+    return clod_repose_angles_csv(&self->repose);
+}
+
 static const kind_row KINDS[] = {
     [CLOD_MEASURED_SHEAR] = {.name = "table of shear points",
                              .preshear = true,
@@ -251,6 +286,12 @@ static const kind_row KINDS[] = {
                                .table = density_table,
                                .json = density_json,
                                .csv = density_csv},
+    [CLOD_MEASURED_REPOSE] = {.name = "table of angles of repose",
+                              .is = is_repose,
+                              .read = read_repose,
+                              .table = repose_table,
+                              .json = repose_json,
+                              .csv = repose_csv},
 };
 
 clod_measured_kind clod_measured_kind_of(const char *text, size_t length)
@@ -311,6 +352,7 @@ void clod_measured_fini(clod_measured *self)
     clod_locus_study_destroy(&self->study);
     clod_wall_locus_fini(&self->wall);
     clod_bulk_density_fini(&self->density);
+    clod_repose_angles_fini(&self->repose);
 }
 
 char *clod_measured_table(const clod_measured *self)

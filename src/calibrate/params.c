@@ -100,7 +100,8 @@ static const clod_param WISH[] = {
          "stress. A wall yield locus: each point is a target phi_x. Bulk densities "
          "(sigma_1, rho_b) and a flow function (sigma_1, sigma_c): targets rho_b (or rho_inside) and sigma_c. Of a uniaxial test "
          "each row is one; of a shear test the row at normal_stress, to which the test's number is moved along "
-         "the table from its own sigma_1. Repeats at one stress are one target, their mean.",
+         "the table from its own sigma_1. Angles of repose (angle_of_repose): their mean is a target of the angle of a free run that "
+         "number names. Repeats at one stress are one target, their mean.",
      .source = HOWTO},
     {.key = "normal_stress",
      .kind = CLOD_PARAM_REAL,

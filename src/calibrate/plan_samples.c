@@ -218,6 +218,7 @@ static void make_point(maker *self, const clod_number *kind, const clod_plan_tar
                        const clod_plan_samples *from, sample point)
 {
     clod_plan_target made = *common;
+    const char *name = clod_number_is_path(kind) ? self->wish->number : kind->key;
     char at[40] = "";
     if (point.stress > 0.0) {
         snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * point.stress);
@@ -233,13 +234,13 @@ static void make_point(maker *self, const clod_number *kind, const clod_plan_tar
                         "needs the key error: the table has no %s%s", from->error_column, at);
     } else if (made.value < kind->least || made.value > kind->most) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
-                        "has a %s of %.6g %s%s; allowed is %.6g to %.6g %s", kind->key,
+                        "has a %s of %.6g %s%s; allowed is %.6g to %.6g %s", name,
                         kind->measure.factor * made.value, kind->measure.unit, at,
                         kind->measure.factor * kind->least, kind->measure.factor * kind->most,
                         kind->measure.unit);
     } else if ((made.curve != NULL && !kind->at_stress) ||
-               clod_plan_targets_check_stress(self, made.test, kind, kind->key, point.stress)) {
-        clod_plan_targets_add(self, &made, kind->key);
+               clod_plan_targets_check_stress(self, made.test, kind, name, point.stress)) {
+        clod_plan_targets_add(self, &made, name);
     }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file plan_samples.h
- * Measured points of a table on their way to targets: repeats become one. For plan_tables.c, plan_shear.c
- * and plan_curves.c alone.
+ * Measured points of a table on their way to targets: repeats become one. For plan_tables.c, plan_shear.c,
+ * plan_curves.c and plan_repose.c alone.
  */
 
 #include "calibrate/plan_targets.h"

@@ -107,11 +107,13 @@ typedef struct words {
 
 /** Columns by which a table is known, and what it then is. */
 static const words WORDS[] = {
-    [CLOD_PLAN_IS_NONE] = {"none of the columns sigma_sh, sigma_w and sigma_1", ""},
+    [CLOD_PLAN_IS_NONE] = {"none of the columns sigma_sh, sigma_w, sigma_1 and angle_of_repose",
+                           ""},
     [CLOD_PLAN_IS_SHEAR] = {"sigma_sh or tau_sh", "shear points (sigma_sh, tau_sh)"},
     [CLOD_PLAN_IS_WALL] = {"sigma_w or tau_w", "a wall yield locus (sigma_w, tau_w)"},
     [CLOD_PLAN_IS_DENSITY] = {"sigma_1", "bulk densities (sigma_1, rho_b)"},
     [CLOD_PLAN_IS_FLOW] = {"sigma_1", "a flow function (sigma_1, sigma_c)"},
+    [CLOD_PLAN_IS_REPOSE] = {"angle_of_repose", "angles of repose (angle_of_repose)"},
 };
 
 /** What a table is, by its header; false with status. */
@@ -128,9 +130,10 @@ static bool look(const char *path, clod_plan_is *is, clod_status *status)
         [CLOD_MEASURED_OF_WALL] = CLOD_PLAN_IS_WALL,
         [CLOD_MEASURED_OF_SIGMA_1] = CLOD_PLAN_IS_FLOW,
     };
-    *is = clod_measured_kind_of(text, length) == CLOD_MEASURED_DENSITY
-              ? CLOD_PLAN_IS_DENSITY
-              : BY_STRESS[clod_measured_stress_of(text, length)];
+    const clod_measured_kind kind = clod_measured_kind_of(text, length);
+    *is = kind == CLOD_MEASURED_DENSITY  ? CLOD_PLAN_IS_DENSITY
+          : kind == CLOD_MEASURED_REPOSE ? CLOD_PLAN_IS_REPOSE
+                                         : BY_STRESS[clod_measured_stress_of(text, length)];
     clod_memory_free(text);
     return true;
 }
@@ -139,7 +142,7 @@ static bool look(const char *path, clod_plan_is *is, clod_status *status)
 static const clod_plan_table *find_table(maker *self, size_t test, clod_plan_is is)
 {
     const clod_test_kind *kind = clod_test_kinds_of(self->plan->tests[test].middle);
-    char list[300] = "none; give number and value";
+    char list[300] = "";
     size_t used = 0;
     for (size_t k = 0; k < CLOD_PLAN_TABLES && kind->tables[k] != NULL; k++) {
         const clod_plan_table *table = kind->tables[k];
@@ -163,6 +166,26 @@ static const char *separator(const char *const *numbers, size_t k)
     return k == 0 ? "" : last ? " or " : ", ";
 }
 
+/** The angle of a free run that the plan names; NULL after a complaint. */
+static const clod_number *angle_named(maker *self, size_t test)
+{
+    if (self->wish->number == NULL) {
+        clod_check_fail(self->loader, clod_plan_targets_at(self, ""),
+                        "needs the key number: which angle of test %s it is, "
+                        "repose.NAME.angle_deg where its case has repose: {NAME: ...}",
+                        self->wish->test);
+        return NULL;
+    }
+    const clod_number *kind = clod_plan_targets_number(self, test);
+    if (kind != NULL && strcmp(kind->unit, "rad") != 0) {
+        clod_check_fail(self->loader, clod_plan_targets_at(self, "number"),
+                        "%s is no angle, and the table has angles of repose",
+                        self->wish->number);
+        return NULL;
+    }
+    return kind;
+}
+
 /** The number that the points of a table are targets of; NULL after a complaint. */
 static const clod_number *number_of(maker *self, size_t test, const clod_plan_table *table)
 {
@@ -173,6 +196,9 @@ static const clod_number *number_of(maker *self, size_t test, const clod_plan_ta
                         "has value%s beside it; the table has them all",
                         table->one_stress ? "" : " or normal_stress");
         return NULL;
+    }
+    if (table->any_angle) {
+        return angle_named(self, test);
     }
     const char *number = wish->number != NULL ? wish->number : numbers[0];
     // rho_b of a laboratory, whose cell is wide, is that away from the walls of a simulated one

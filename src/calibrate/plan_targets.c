@@ -197,22 +197,31 @@ static void number_tables(clod_plan *self)
     }
 }
 
-/** A target of a number and a value. */
-static void make_number(maker *self, size_t test)
+const clod_number *clod_plan_targets_number(clod_plan_maker *self, size_t test)
 {
     const clod_plan_wish *wish = self->wish;
     const clod_plan_test *of = &self->plan->tests[test];
-    if (wish->number == NULL || wish->value == NULL) {
-        clod_check_fail(self->loader, clod_plan_targets_at(self, ""), "needs %s, or locus",
-                        wish->number == NULL ? "number and value" : "value");
-        return;
-    }
     const clod_number *kind = clod_number_find(of, wish->number);
     if (kind == NULL) {
         char hint[500];
         clod_check_fail(self->loader, clod_plan_targets_at(self, "number"),
                         "test %s has no number %s%s", wish->test, wish->number,
                         clod_number_hint(of, wish->number, hint, sizeof hint));
+    }
+    return kind;
+}
+
+/** A target of a number and a value. */
+static void make_number(maker *self, size_t test)
+{
+    const clod_plan_wish *wish = self->wish;
+    if (wish->number == NULL || wish->value == NULL) {
+        clod_check_fail(self->loader, clod_plan_targets_at(self, ""), "needs %s, or locus",
+                        wish->number == NULL ? "number and value" : "value");
+        return;
+    }
+    const clod_number *kind = clod_plan_targets_number(self, test);
+    if (kind == NULL) {
         return;
     }
     clod_plan_target made = {.test = test,

@@ -327,7 +327,7 @@ static void columns_that_are_wrong_are_told(void **state)
     lab_write_file(state, "lab.csv", "sigma1 [kPa],rho_b [kg/m3]\n20,1200\n54.8,1250\n");
     lab_refuse(
         state, RING, "locus: lab.csv",
-        "targets.0.locus: has none of the columns sigma_sh, sigma_w and sigma_1 in its header, and "
+        "targets.0.locus: has none of the columns sigma_sh, sigma_w, sigma_1 and angle_of_repose in its header, and "
         "of tables test lab takes shear points (sigma_sh, tau_sh), bulk densities (sigma_1, rho_b), a flow "
         "function (sigma_1, sigma_c)");
     lab_write_file(state, "lab.csv", SHEAR_HEAD "1,54.8,40,12,20,1300\n1,54.8,40,30,30,1300\n");
@@ -347,7 +347,7 @@ static void columns_that_are_wrong_are_told(void **state)
         "targets.0.locus: has sigma_1 in its header, as bulk densities (sigma_1, rho_b), and of tables "
         "test lab takes a wall yield locus (sigma_w, tau_w)");
     lab_refuse_of(state, "tests/calibrate/bounce.yaml", "contacts.default.restitution",
-                  "locus: lab.csv", "and of tables test lab takes none; give number and value");
+                  "locus: lab.csv", "and of tables test lab takes angles of repose");
     lab_write_file(state, "lab.csv", SHEAR_HEAD "1,54.8,40,12,20,\n1,54.8,40,30,30,\n");
     lab_refuse(state, RING, "locus: lab.csv, number: rho_b, error: 9 kg/m3",
                "targets.0.locus: has no rho_b at the preshear stress of test lab");

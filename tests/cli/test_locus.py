@@ -151,6 +151,20 @@ class Locus(clod.Case):
         again = self.locus("-", "--csv", input=rho).stdout
         self.assertEqual(self.locus("-", input=again).stdout, self.locus("-", input=rho).stdout)
 
+    def test_angles_of_repose(self):
+        """30, 32 and 34 deg: a standard deviation of 2 deg, of the mean 2/sqrt(3)."""
+        heaps = "heap,angle_of_repose [deg]\n1,30\n2,34\n3,32\n"
+        told = self.locus("-", input=heaps).stdout
+        self.assertIn("Angle of repose: 3 heaps", told)
+        self.assertIn("     32.00 ±     1.15      2.00  deg", told)
+        found = json.loads(self.locus("-", "--json", input=heaps).stdout)
+        self.assertAlmostEqual(found["angle_of_repose_deg"]["error"], 2 / 3 ** 0.5, places=9)
+        self.assertEqual([heap["angle_of_repose_error_deg"] for heap in found["heaps"]], [None] * 3)
+        again = self.locus("-", "--csv", input=heaps).stdout
+        self.assertEqual(self.locus("-", input=again).stdout, told)
+        self.assertIn("a table of angles of repose has no preshear; leave out --tau-pre",
+                      self.locus("-", "--tau-pre", "1kPa", input=heaps, code=2).stderr)
+
     def test_wall_friction_tables_that_are_wrong(self):
         for text, said in (("sigma_w [kPa],tau_w [deg]\n1,1\n", "deg"),
                            ("sigma_w [kPa],phi [deg]\n1,1\n", "phi"),

@@ -1,0 +1,83 @@
+/**
+ * @file test_plan_repose.c
+ * Measured angles of repose of a plan become a target: all expected values by hand.
+ */
+
+#include "plan_lab.h"
+
+#define PILE "cases/calibrate-repose/pile.yaml" // repose: {heap: ...}
+#define HEAPS "heap,angle_of_repose [deg],angle_of_repose_error [deg]\n"
+#define TARGET "locus: lab.csv, number: repose.heap.angle_deg"
+#define DEG (M_PI / 180.0)
+
+static void check_target(const clod_plan_target *target, double degrees, double error)
+{
+    assert_string_equal(target->name, "lab: repose.heap.angle_deg");
+    assert_true(target->normal_stress == 0.0);
+    assert_true(fabs(target->value / (degrees * DEG) - 1.0) < 1e-9);
+    assert_true(fabs(target->error / (error * DEG) - 1.0) < 1e-9);
+}
+
+// 30, 32 and 34 deg scatter by 2 deg; 1 deg stated is less, 6 deg more.
+static void the_mean_is_the_target(void **state)
+{
+    clod_plan plan;
+    lab_write_file(state, "lab.csv", HEAPS "1,30,1\n2,34,1\n3,32,1\n");
+    lab_load_good(state, PILE, TARGET ", discrepancy: 0.5 deg", &plan);
+    assert_int_equal(plan.target_count, 1);
+    check_target(&plan.targets[0], 32.0, 2.0 / sqrt(3.0));
+    assert_true(fabs(plan.targets[0].discrepancy / (0.5 * DEG) - 1.0) < 1e-9);
+    assert_int_equal(plan.targets[0].repeats.count, 3);
+    clod_plan_fini(&plan);
+    lab_write_file(state, "lab.csv", HEAPS "1,30,6\n2,34,6\n3,32,6\n");
+    lab_load_good(state, PILE, TARGET ", held_back: false", &plan);
+    check_target(&plan.targets[0], 32.0, 6.0 / sqrt(3.0));
+    clod_plan_fini(&plan);
+}
+
+static void the_plan_has_the_error_that_the_table_lacks(void **state)
+{
+    clod_plan plan;
+    lab_write_file(state, "lab.csv", "angle_of_repose [rad]\n0.5\n");
+    lab_load_good(state, PILE, TARGET ", error: 1.5 deg", &plan);
+    check_target(&plan.targets[0], 0.5 / DEG, 1.5);
+    clod_plan_fini(&plan);
+    lab_refuse(state, PILE, TARGET,
+               "needs the key error: the table has no angle_of_repose_error");
+}
+
+static void what_cannot_be_is_told(void **state)
+{
+    lab_write_file(state, "lab.csv", HEAPS "1,30,1\n2,34,1\n");
+    lab_refuse(state, PILE, "locus: lab.csv",
+               "needs the key number: which angle of test lab it is, repose.NAME.angle_deg");
+    lab_refuse(state, PILE, "locus: lab.csv, number: repose.heap.height_m",
+               "repose.heap.height_m is no angle, and the table has angles of repose");
+    lab_refuse(state, PILE, "locus: lab.csv, number: repose.pile.angle_deg", "heap");
+    lab_refuse(state, PILE, TARGET ", value: 30 deg", "has value or normal_stress beside it");
+    lab_refuse(
+        state, RING, "locus: lab.csv",
+        "has angle_of_repose in its header, as angles of repose (angle_of_repose), and of "
+        "tables test lab takes shear points");
+    lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n1,1000\n");
+    lab_refuse(state, PILE, TARGET,
+               "of tables test lab takes angles of repose (angle_of_repose)");
+    lab_write_file(state, "lab.csv", HEAPS "1,0.5,0.1\n");
+    lab_refuse(state, PILE, TARGET, "0.5 deg is below 5 deg");
+    lab_write_file(state, "lab.csv", "slope [deg]\n30\n");
+    lab_refuse(state, PILE, TARGET,
+               "none of the columns sigma_sh, sigma_w, sigma_1 and angle_of_repose");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(the_mean_is_the_target, temp_folder_make,
+                                        temp_folder_remove),
+        cmocka_unit_test_setup_teardown(the_plan_has_the_error_that_the_table_lacks,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(what_cannot_be_is_told, temp_folder_make,
+                                        temp_folder_remove),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
