@@ -124,7 +124,7 @@ static bool fit(const clod_posterior_runs *runs, clod_posterior *self, clod_stat
     return good;
 }
 
-double *clod_posterior_room(const clod_posterior *self, size_t more)
+double *clod_posterior_room(const clod_posterior *self)
 {
     size_t most = 1;
     for (size_t t = 0; t < self->target_count; t++) {
@@ -132,7 +132,7 @@ double *clod_posterior_room(const clod_posterior *self, size_t more)
         const size_t room = one != NULL ? clod_surrogate_room(one) : 0;
         most = room > most ? room : most;
     }
-    return clod_memory_alloc(most + more, sizeof(double));
+    return clod_memory_alloc(most, sizeof(double));
 }
 
 double clod_posterior_noise(const clod_posterior *self, size_t target)
@@ -198,7 +198,7 @@ static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_s
 {
     const clod_plan *plan = runs->plan;
     density of = {self, clod_memory_alloc(self->target_count, sizeof *of.told),
-                  clod_posterior_room(self, 0),
+                  clod_posterior_room(self),
                   clod_memory_alloc(clod_misfit_room(self->misfit), sizeof(double))};
     const bool good = of.told != NULL && of.room != NULL && of.misfit_room != NULL;
     const clod_chain_setup setup = {.dimensions = self->dimensions,

@@ -103,19 +103,20 @@ clod_surrogate_value clod_posterior_told(const clod_posterior *self, size_t targ
                                          const double *place, double *room);
 
 /**
- * Where further runs tell most: of the samples the one with the largest sum over used targets of the
- * surrogate's variance over that of the measurement; then, with a run there in thought, the next.
+ * Where further runs stand for the posterior: of 400 samples the one that leaves the least mean distance of a sample to
+ * the nearest point, that of runs that are done or that one; then the next. Places differ as long as samples do.
  *
+ * @param places  [done + count][dimensions]: those of the runs that are done; behind them [out] the further ones
  * @param stop    asked on the way; NULL: never
- * @param places  [out] [count][dimensions]
- * Errors  CLOD_FAILED: memory; CLOD_INTERRUPTED.   Threads  safe.
+ * Errors  CLOD_INTERRUPTED.   Threads  safe.
+ * Source  Flury, Biometrika 77 (1990) 33 (points that stand for a distribution), here one after the other.
+ * Test    tests/calibrate/test_posterior.c
  */
-bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, size_t count,
-                           const clod_stop *stop, double *places, clod_status *status);
+bool clod_posterior_refine(const clod_posterior *self, double *places, size_t done,
+                           size_t count, const clod_stop *stop, clod_status *status);
 
 /** Variance of a measured value about the mean of packings, without the surrogate's. */
 double clod_posterior_variance(const clod_plan_target *target);
 
-/** Room for a prediction of any surrogate, with so many more runs in thought; owned (clod_memory_free), NULL
- *  without memory. */
-double *clod_posterior_room(const clod_posterior *self, size_t more);
+/** Room for a prediction of any surrogate; owned (clod_memory_free), NULL without memory. */
+double *clod_posterior_room(const clod_posterior *self);

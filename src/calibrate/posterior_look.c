@@ -274,7 +274,7 @@ bool clod_posterior_look(const clod_posterior_runs *runs, clod_posterior *self,
         .variances = clod_memory_alloc(numbers, sizeof(double)),
         .values = clod_memory_alloc(self->count, sizeof(double)),
         .dice = clod_memory_alloc(clod_misfit_count(self->misfit), sizeof(double)),
-        .room = clod_posterior_room(self, 0),
+        .room = clod_posterior_room(self),
         .misfit_room = clod_memory_alloc(clod_misfit_room(self->misfit), sizeof(double))};
     const bool good =
         at.told != NULL && at.variances != NULL && at.values != NULL && at.dice != NULL &&

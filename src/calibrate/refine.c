@@ -1,107 +1,91 @@
 /**
  * @file refine.c
- * Where further runs tell most about the posterior.
+ * Where further runs stand for the posterior.
  */
 
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "calibrate/posterior.h"
 
-#define CANDIDATES 400
+#define CANDIDATES 400 ///< samples of the posterior
 
-/** Surrogates of the targets with runs added in thought. */
-typedef struct thought {
-    const clod_plan *plan;
+/** How far samples are from the point that stands for them. */
+typedef struct cover {
     const clod_posterior *posterior;
-    const clod_stop *stop;
-    clod_surrogate **surrogates; ///< [targets] owned; NULL: that of the posterior
-    double *room;
-} thought;
+    double nearest[CANDIDATES]; ///< distance to the nearest point, of the range
+} cover;
 
-static const clod_surrogate *surrogate_of(const thought *self, size_t t)
+static const double *sample(const cover *self, size_t i)
 {
-    return self->surrogates[t] != NULL ? self->surrogates[t]
-                                       : self->posterior->targets[t].surrogate;
+    return clod_posterior_sample(self->posterior, i, CANDIDATES);
 }
 
-/** What is left to tell at a place: variance of the surrogates over that of the measurements. */
-static double score(const thought *self, const double *place)
+/** Distance of a sample to the nearest point, if there were one at a place. */
+static double nearest_with(const cover *self, size_t i, const double *place)
+{
+    const double *at = sample(self, i);
+    double squares = 0.0;
+    for (size_t k = 0; k < self->posterior->dimensions; k++) {
+        squares += (at[k] - place[k]) * (at[k] - place[k]);
+    }
+    return fmin(self->nearest[i], sqrt(squares));
+}
+
+/** There is a point at a place. */
+static void put(cover *self, const double *place)
+{
+    for (size_t i = 0; i < CANDIDATES; i++) {
+        self->nearest[i] = nearest_with(self, i, place);
+    }
+}
+
+/** Sum of the distances with another point at a place. */
+static double left_with(const cover *self, const double *place)
 {
     double sum = 0.0;
-    for (size_t t = 0; t < self->plan->target_count; t++) {
-        const clod_plan_target *target = &self->plan->targets[t];
-        if (!target->held_back) {
-            sum += clod_surrogate_at(surrogate_of(self, t), place, self->room).variance /
-                   clod_posterior_variance(target);
-        }
+    for (size_t i = 0; i < CANDIDATES; i++) {
+        sum += nearest_with(self, i, place);
     }
     return sum;
 }
 
-/** The candidate with the most left to tell; NULL after a stop. */
-static const double *choose(const thought *self)
+/** The sample that leaves the least distance; NULL after a stop. */
+static const double *choose(const cover *self, const clod_stop *stop)
 {
-    const clod_posterior *from = self->posterior;
-    const double *best = from->samples;
-    double most = -1.0;
+    const double *best = NULL;
+    double least = HUGE_VAL;
     for (size_t i = 0; i < CANDIDATES; i++) {
-        const double *place = clod_posterior_sample(from, i, CANDIDATES);
-        if (clod_stop_asked(self->stop)) {
+        if (clod_stop_asked(stop)) {
             return NULL;
         }
-        const double found = score(self, place);
-        if (found > most) {
-            most = found;
-            best = place;
+        const double left = left_with(self, sample(self, i));
+        if (left < least) {
+            least = left;
+            best = sample(self, i);
         }
     }
     return best;
 }
 
-/** Believe that a run at a place gives what the surrogates say. */
-static bool believe(thought *self, const double *place, clod_status *status)
+bool clod_posterior_refine(const clod_posterior *self, double *places, size_t done,
+                           size_t count, const clod_stop *stop, clod_status *status)
 {
-    for (size_t t = 0; t < self->plan->target_count; t++) {
-        if (self->plan->targets[t].held_back) {
-            continue;
+    const size_t d = self->dimensions;
+    cover of = {.posterior = self};
+    for (size_t i = 0; i < CANDIDATES; i++) {
+        of.nearest[i] = HUGE_VAL;
+    }
+    for (size_t k = 0; k < done; k++) {
+        put(&of, places + k * d);
+    }
+    for (size_t k = done; k < done + count; k++) {
+        const double *place = choose(&of, stop);
+        if (place == NULL) {
+            return clod_stop_fail(status);
         }
-        clod_surrogate *more = clod_surrogate_believe(surrogate_of(self, t), place, status);
-        if (more == NULL) {
-            return false;
-        }
-        clod_surrogate_destroy(&self->surrogates[t]);
-        self->surrogates[t] = more;
+        memcpy(places + k * d, place, d * sizeof *places);
+        put(&of, place);
     }
     return true;
-}
-
-bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, size_t count,
-                           const clod_stop *stop, double *places, clod_status *status)
-{
-    thought of = {.plan = plan,
-                  .posterior = self,
-                  .stop = stop,
-                  .surrogates = clod_memory_alloc(plan->target_count, sizeof *of.surrogates),
-                  .room = clod_posterior_room(self, count)};
-    bool good = of.surrogates != NULL && of.room != NULL;
-    if (!good) {
-        clod_status_fail(status, CLOD_FAILED, "No memory for further points.");
-    }
-    for (size_t k = 0; k < count && good; k++) {
-        const double *place = choose(&of);
-        if (place == NULL) {
-            good = clod_stop_fail(status);
-        } else {
-            memcpy(places + k * self->dimensions, place, self->dimensions * sizeof *places);
-            good = k + 1 == count || believe(&of, place, status);
-        }
-    }
-    for (size_t t = 0; t < plan->target_count && of.surrogates != NULL; t++) {
-        clod_surrogate_destroy(&of.surrogates[t]);
-    }
-    clod_memory_free(of.surrogates);
-    clod_memory_free(of.room);
-    return good;
 }

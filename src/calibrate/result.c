@@ -139,6 +139,28 @@ static void warn_missed(clod_result *self)
         self->plan->targets[t].name, from->targets[t].off);
 }
 
+/** A surrogate that cannot bend as a Gaussian process can, of too few points. */
+static void warn_stiff(clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    const size_t needed = clod_surrogate_gaussian_points(from->dimensions);
+    for (size_t t = 0; t < from->target_count; t++) {
+        const clod_posterior_target *one = &from->targets[t];
+        if (one->surrogate != NULL && !one->held_back &&
+            clod_surrogate_kind_of(one->surrogate) != CLOD_SURROGATE_GAUSSIAN) {
+            clod_warning_list_add(
+                &self->warnings,
+                "%s has a %s surrogate, of %zu points: how else results may bend over the ranges "
+                "it cannot tell, and counts as scatter. From %zu points on it is a Gaussian "
+                "process.",
+                self->plan->targets[t].name,
+                CLOD_SURROGATE_NAMES[clod_surrogate_kind_of(one->surrogate)], one->check.points,
+                needed);
+            return; // one says it for all
+        }
+    }
+}
+
 static void warn_targets(clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
@@ -316,6 +338,7 @@ static void warn_parameters(clod_result *self)
 void clod_result_warn(clod_result *self)
 {
     warn_targets(self);
+    warn_stiff(self);
     warn_parameters(self);
     const size_t failed = clod_runs_failed(self->runs);
     if (failed > 0) {

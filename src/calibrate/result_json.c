@@ -76,7 +76,7 @@ static json_t *section(const clod_result *self, size_t t, size_t k, double facto
 static json_t *sections(const clod_result *self, size_t t, double factor)
 {
     json_t *all = json_object();
-    double *room = clod_posterior_room(self->study->posterior, 0);
+    double *room = clod_posterior_room(self->study->posterior);
     const size_t count = self->study->posterior->apart ? 0 : self->plan->parameter_count;
     for (size_t k = 0; room != NULL && k < count; k++) {
         json_object_set_new(all, self->plan->parameters[k].name,

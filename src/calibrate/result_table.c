@@ -198,8 +198,7 @@ char *clod_result_table(const clod_result *self)
           out);
     fprintf(
         out,
-        "Calibration%s%s: %zu points of %lld packing%s, %zu of them added where the posterior is "
-        "least certain\n",
+        "Calibration%s%s: %zu points of %lld packing%s, %zu of them added where the posterior is\n",
         title == NULL ? "" : ": ", title == NULL ? "" : title, self->study->points,
         (long long)self->plan->seeds, self->plan->seeds == 1 ? "" : "s",
         self->study->points - self->study->designed);

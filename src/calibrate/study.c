@@ -128,7 +128,7 @@ static void tell_undefined(const clod_plan *plan, const clod_study_source *sourc
     }
 }
 
-/** Further points where the posterior is least certain. */
+/** Further points that stand for the posterior. */
 static bool refine(const clod_plan *plan, const clod_study_source *source, size_t points,
                    clod_study *self, clod_status *status)
 {
@@ -141,9 +141,8 @@ static bool refine(const clod_plan *plan, const clod_study_source *source, size_
             return true;
         }
         if (!grow(plan, self, self->points + more, status) ||
-            !clod_posterior_refine(plan, self->posterior, more, source->stop,
-                                   self->places + self->points * plan->parameter_count,
-                                   status) ||
+            !clod_posterior_refine(self->posterior, self->places, self->points, more,
+                                   source->stop, status) ||
             !compute(source, self, self->points + more, status) ||
             !renew_posterior(plan, source, self, status)) {
             return false;

@@ -35,7 +35,7 @@ typedef struct clod_study {
 } clod_study;
 
 /**
- * Compute the design, then, in up to three batches, points where the posterior is least certain.
+ * Compute the design, then, in up to three batches, points that stand for the posterior.
  *
  * @param study  [out] owned content (clod_study_fini), also after an error: what was computed
  * Errors  CLOD_USAGE: the budget is too small; CLOD_FAILED: results, memory; CLOD_INTERRUPTED.

@@ -17,9 +17,14 @@ const char *const CLOD_SURROGATE_NAMES[] = {[CLOD_SURROGATE_LINEAR] = "linear",
 // A result that is the same in all runs still has a variance above 0, far below any digit told.
 #define LEAST_RELATIVE 1e-12
 
+size_t clod_surrogate_gaussian_points(size_t dimensions)
+{
+    return 5 * dimensions > 8 ? 5 * dimensions : 8;
+}
+
 clod_surrogate_kind clod_surrogate_choose(size_t dimensions, size_t points)
 {
-    if (points >= 8 && points >= 5 * dimensions) {
+    if (points >= clod_surrogate_gaussian_points(dimensions)) {
         return CLOD_SURROGATE_GAUSSIAN;
     }
     return points >= 2 * clod_surrogate_terms(CLOD_SURROGATE_QUADRATIC, dimensions)

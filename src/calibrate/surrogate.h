@@ -65,6 +65,9 @@ typedef struct clod_surrogate_check {
  *  quadratic from twice its coefficients on. */
 clod_surrogate_kind clod_surrogate_choose(size_t dimensions, size_t points);
 
+/** Different points from which on that is a Gaussian process. */
+size_t clod_surrogate_gaussian_points(size_t dimensions);
+
 /** Coefficients of the polynomial of a kind. */
 size_t clod_surrogate_terms(clod_surrogate_kind kind, size_t dimensions);
 
@@ -87,7 +90,7 @@ size_t clod_surrogate_points(const clod_surrogate_runs *runs);
 clod_surrogate *clod_surrogate_create(const clod_surrogate_runs *runs, clod_surrogate_kind kind,
                                       clod_status *status);
 
-/** The same with lengths, nugget and slopes given, for tests and for points that are added in thought. */
+/** The same with lengths, nugget and slopes given, for tests and for points that are left out. */
 clod_surrogate *clod_surrogate_create_at(const clod_surrogate_runs *runs,
                                          clod_surrogate_kind kind,
                                          const clod_surrogate_hyper *hyper,
@@ -112,11 +115,6 @@ typedef struct clod_surrogate_dice {
 bool clod_surrogate_draw(const clod_surrogate *self, const clod_surrogate_dice *dice,
                          size_t count, const clod_stop *stop, clod_surrogate **draws,
                          double *effective, clod_status *status);
-
-/** One more run in thought, with the mean as its result: what it would tell, at the hyperparameters and
- *  the variance as they are. @return owned, or NULL */
-clod_surrogate *clod_surrogate_believe(const clod_surrogate *self, const double *inputs,
-                                       clod_status *status);
 
 /** Free and null; NULL is fine. */
 void clod_surrogate_destroy(clod_surrogate **self);

@@ -1,7 +1,6 @@
 /**
  * @file surrogate_out.c
- * A surrogate with a point more in thought, or one less: what a run would tell, and how well the others
- * predict it.
+ * A surrogate with a point less: how well the others predict it.
  */
 
 #include <math.h>
@@ -32,29 +31,6 @@ clod_surrogate *clod_surrogate_copy(const clod_surrogate *self, clod_status *sta
 {
     const clod_surrogate_runs runs = runs_of(self);
     return with(self, &runs, status);
-}
-
-clod_surrogate *clod_surrogate_believe(const clod_surrogate *self, const double *inputs,
-                                       clod_status *status)
-{
-    const size_t d = self->dimensions;
-    double *points = clod_memory_alloc((self->count + 1) * (d + 1), sizeof *points);
-    double *room = clod_memory_alloc(clod_surrogate_room(self), sizeof *room);
-    clod_surrogate *more = NULL;
-    if (points == NULL || room == NULL) {
-        clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
-    } else {
-        double *results = points + (self->count + 1) * d;
-        memcpy(points, self->inputs, self->count * d * sizeof *points);
-        memcpy(points + self->count * d, inputs, d * sizeof *points);
-        memcpy(results, self->results, self->count * sizeof *results);
-        results[self->count] = clod_surrogate_at(self, inputs, room).mean;
-        const clod_surrogate_runs runs = {d, self->count + 1, points, results, NULL};
-        more = with(self, &runs, status);
-    }
-    clod_memory_free(points);
-    clod_memory_free(room);
-    return more;
 }
 
 /** Sums over the points that are left out. */

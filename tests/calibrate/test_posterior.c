@@ -169,8 +169,6 @@ static void a_held_back_target_without_runs_is_dropped(void **state)
     assert_null(self->targets[1].surrogate);
     assert_true(self->targets[1].runs == 0 && self->targets[1].why[0] != '\0');
     assert_true(isnan(self->targets[1].mean) && isnan(self->targets[1].low));
-    double next[2];
-    assert_true(clod_posterior_refine(&made.plan, self, 2, NULL, next, &status));
     clod_posterior_destroy(&self);
     made.targets[1].held_back = false; // used, it is needed
     assert_null(clod_posterior_create(&runs, &status));
@@ -199,28 +197,32 @@ static void samples_of_all_chains_are_looked_at(void **state)
     clod_posterior_destroy(&self);
 }
 
-/** Noisy runs, and none between 0.5 and 0.8, where the posterior is: the next two go there. */
-static void further_points_go_where_least_is_known(void **state)
+/**
+ * A normal posterior of mean 0.6 and deviation 0.02, all runs ten deviations away or more. Of one point the mean distance
+ * is least at the median. With that, a second one at a distance c is as far from its own median as P(z > c) is half of
+ * P(z > c/2): c = 1.03 deviations; the third stands on the other side.
+ */
+static void further_points_stand_for_the_posterior(void **state)
 {
     (void)state;
     plan_made made;
     plan_make(&made, 1, 1);
     made.plan.seeds = 1;
-    made.targets[0].value = 1.0;
-    made.targets[0].error = 0.3;
-    double u[10], y[10];
-    for (int i = 0; i < 10; i++) {
-        u[i] = i < 6 ? 0.1 * i : 0.8 + 0.06 * (i - 6);
-        y[i] = sin(M_PI * u[i]) + 0.2 * u[i] * u[i];
+    made.targets[0].value = 22.0;
+    made.targets[0].error = 0.4;
+    double u[11] = {0.0, 0.1, 0.2, 0.3, 0.4, 0.8, 0.9, 1.0}, y[8];
+    for (int i = 0; i < 8; i++) {
+        y[i] = 10.0 + 20.0 * u[i];
     }
-    const clod_posterior_runs runs = {&made.plan, 10, u, y, NULL};
+    const clod_posterior_runs runs = {&made.plan, 8, u, y, NULL};
     clod_status status = {CLOD_OK, ""};
     clod_posterior *self = clod_posterior_create(&runs, &status);
     assert_non_null(self);
-    double next[2];
-    assert_true(clod_posterior_refine(&made.plan, self, 2, NULL, next, &status));
-    assert_true(next[0] > 0.5 && next[0] < 0.8);
-    assert_true(next[1] != next[0]);
+    assert_true(clod_posterior_refine(self, u, 8, 3, NULL, &status));
+    check_close(u[8], 0.6, 0.004);
+    check_close(fabs(u[9] - u[8]), 1.03 * 0.02, 0.25 * 0.02);
+    check_close(fabs(u[10] - u[8]), 1.03 * 0.02, 0.25 * 0.02);
+    assert_true((u[9] - u[8]) * (u[10] - u[8]) < 0.0);
     clod_posterior_destroy(&self);
 }
 
@@ -234,7 +236,7 @@ int main(void)
         cmocka_unit_test(an_end_of_the_range_is_seen),
         cmocka_unit_test(a_held_back_target_without_runs_is_dropped),
         cmocka_unit_test(samples_of_all_chains_are_looked_at),
-        cmocka_unit_test(further_points_go_where_least_is_known),
+        cmocka_unit_test(further_points_stand_for_the_posterior),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -184,10 +184,10 @@ static void further_points_ask_at_every_candidate(void **state)
     clod_posterior *self = make(&made, POINTS, &who, &status);
     assert_non_null(self);
     who.asks = 0;
-    assert_true(clod_posterior_refine(&made.plan, self, 3, &stop, next, &status));
+    assert_true(clod_posterior_refine(self, next, 0, 3, &stop, &status));
     assert_int_equal(who.asks, 3 * 400);
     who = (asker){0, 500};
-    assert_false(clod_posterior_refine(&made.plan, self, 3, &stop, next, &status));
+    assert_false(clod_posterior_refine(self, next, 0, 3, &stop, &status));
     assert_int_equal(status.code, CLOD_INTERRUPTED);
     assert_int_equal(who.asks, 501);
     clod_posterior_destroy(&self);

@@ -262,31 +262,6 @@ static void the_likelihood_is_the_greatest(void **state)
     clod_surrogate_destroy(&best);
 }
 
-/** A run more, wherever: less is left to tell there, and the mean stays. */
-static void a_believed_run_narrows_and_moves_nothing(void **state)
-{
-    (void)state;
-    const double u[] = {0.0, 0.2, 0.4, 0.9, 1.0};
-    const double y[] = {1.0, 1.4, 0.7, 2.0, 1.8};
-    const clod_surrogate_hyper hyper = {{0.3}, 0.05, {2.0}};
-    const double at = 0.65;
-    const clod_surrogate_runs runs = {1, 5, u, y, NULL};
-    clod_status status = {CLOD_OK, ""};
-    clod_surrogate *self =
-        clod_surrogate_create_at(&runs, CLOD_SURROGATE_GAUSSIAN, &hyper, &status);
-    clod_surrogate *more = clod_surrogate_believe(self, &at, &status);
-    assert_non_null(more);
-    double room[32];
-    const clod_surrogate_value before = clod_surrogate_at(self, &at, room);
-    const clod_surrogate_value after = clod_surrogate_at(more, &at, room);
-    check_close(after.mean, before.mean, 1e-12);
-    // one measurement with the noise's variance: 1/after = 1/before + 1/noise^2
-    const double noise = clod_surrogate_noise(self, &at);
-    check_relative(1.0 / after.variance, 1.0 / before.variance + 1.0 / (noise * noise), 1e-9);
-    clod_surrogate_destroy(&more);
-    clod_surrogate_destroy(&self);
-}
-
 static void too_few_points_are_refused(void **state)
 {
     (void)state;
@@ -306,7 +281,6 @@ int main(void)
         cmocka_unit_test(a_process_is_universal_kriging),
         cmocka_unit_test(noise_and_function_are_found),
         cmocka_unit_test(the_likelihood_is_the_greatest),
-        cmocka_unit_test(a_believed_run_narrows_and_moves_nothing),
         cmocka_unit_test(too_few_points_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
