@@ -83,8 +83,9 @@ static const clod_param WISH[] = {
         "What was measured, with its unit. Of a number of a free run the unit may be left out: "
         "it is that of the name, deg for angle_deg; energies, powers and torques are given "
         "without one."),
-    TEXT_ROW(W, "error", error, CLOD_PARAM_OPTIONAL, "2 deg",
-             "Its standard error; with locus that of each point, where the table has none."),
+    TEXT_ROW(
+        W, "error", error, CLOD_PARAM_OPTIONAL, "2 deg",
+        "Its standard error; with locus that of each point, or the table's where that is larger."),
     TEXT_ROW(
         W, "discrepancy", discrepancy, CLOD_PARAM_OPTIONAL, "1 deg",
         "Standard deviation of what the model is expected to miss at any parameters; none: 0."),

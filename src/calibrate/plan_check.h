@@ -34,8 +34,20 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self);
 /** Targets that contradict each other (plan_conflicts.c). */
 void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
 
-/** Those of one shear test (plan_conflicts_shear.c). */
+/** Those of each shear test (plan_conflicts_shear.c). */
 void clod_plan_conflicts_shear(clod_loader *loader, const clod_plan *self);
+
+/** A strength of a shear test that is too large for its other targets (plan_conflicts_locus.c). */
+void clod_plan_conflicts_locus(clod_loader *loader, const clod_plan *self, size_t test);
+
+/** Targets of a shear test of which one follows from the others, as sigma_2 from sigma_1 and phi_e; one complaint at most
+ *  (plan_conflicts_identities.c).   Test  tests/calibrate/test_plan_conflicts_identities.c */
+void clod_plan_conflicts_identities(clod_loader *loader, const clod_plan *self, size_t test);
+
+/** The first target of a test with this number, none that goes along a table over sigma_1; NULL: there is none
+ *  (plan_conflicts_shear.c). */
+const clod_plan_target *clod_plan_conflicts_target(const clod_plan *self, size_t test,
+                                                   const char *number);
 
 /** Those of one wall friction test (plan_conflicts_wall.c).   Test  tests/calibrate/test_plan_conflicts_wall.c */
 void clod_plan_conflicts_wall(clod_loader *loader, const clod_plan *self);

@@ -14,12 +14,13 @@
 
 #define FIRM CLOD_PLAN_FIRM_ERRORS
 
-/** Target of a test with this number, or NULL. */
-static const clod_plan_target *with(const clod_plan *self, size_t test, const char *number)
+const clod_plan_target *clod_plan_conflicts_target(const clod_plan *self, size_t test,
+                                                   const char *number)
 {
     for (size_t k = 0; k < self->target_count; k++) {
-        if (self->targets[k].test == test && strcmp(self->targets[k].number, number) == 0) {
-            return &self->targets[k];
+        const clod_plan_target *one = &self->targets[k];
+        if (one->test == test && one->curve == NULL && strcmp(one->number, number) == 0) {
+            return one;
         }
     }
     return NULL;
@@ -43,14 +44,16 @@ static const order ORDERS[] = {
     {"c", "sigma_1", 2.0,
      "and sigma_1 is not below sigma_c, nor that below 2 c, unless steady flow reaches into tension"},
     {"sigma_2", "sigma_1", 1.0, "the major principal stress"},
+    {"sigma_c", "sigma_1", 1.0,
+     "and a straight yield locus has a sigma_c of at most sigma_1 - sigma_2, unless steady flow reaches into tension"},
 };
 
 static void check_order(clod_loader *loader, const clod_plan *self, size_t test,
                         const order *of)
 {
-    const clod_plan_target *less = with(self, test, of->less);
-    const clod_plan_target *more = with(self, test, of->more);
-    if (less == NULL || more == NULL || more->curve != NULL ||
+    const clod_plan_target *less = clod_plan_conflicts_target(self, test, of->less);
+    const clod_plan_target *more = clod_plan_conflicts_target(self, test, of->more);
+    if (less == NULL || more == NULL ||
         of->times * less->value - more->value <=
             FIRM * hypot(of->times * less->error, more->error)) {
         return;
@@ -68,7 +71,7 @@ static void check_order(clod_loader *loader, const clod_plan *self, size_t test,
 /** sigma_2 and sigma_1 are the ends of a circle through preshear. */
 static void check_ends(clod_loader *loader, const clod_plan *self, size_t test, double stress)
 {
-    const clod_plan_target *major = with(self, test, "sigma_1");
+    const clod_plan_target *major = clod_plan_conflicts_target(self, test, "sigma_1");
     if (major != NULL && stress - major->value > FIRM * major->error) {
         clod_check_fail(
             loader, "targets",
@@ -77,7 +80,7 @@ static void check_ends(clod_loader *loader, const clod_plan *self, size_t test, 
             "consolidation, or the test its preshear stress",
             self->tests[test].name, 1e-3 * major->value, major->entry, 1e-3 * stress);
     }
-    const clod_plan_target *minor = with(self, test, "sigma_2");
+    const clod_plan_target *minor = clod_plan_conflicts_target(self, test, "sigma_2");
     if (minor != NULL && minor->value - stress > FIRM * minor->error) {
         clod_check_fail(
             loader, "targets",
@@ -99,7 +102,7 @@ typedef struct steady {
 static bool find_steady(const clod_plan *self, size_t test, const char *number, double stress,
                         steady *to)
 {
-    const clod_plan_target *from = with(self, test, number);
+    const clod_plan_target *from = clod_plan_conflicts_target(self, test, number);
     if (from == NULL) {
         return false;
     }
@@ -129,7 +132,7 @@ static void check_tau_p(clod_loader *loader, const clod_plan *self, size_t test,
             self->tests[test].name, of.words, degrees, 1e-3 * stress, CLOD_ANGLES_LEAST,
             CLOD_ANGLES_MOST);
     }
-    const clod_plan_target *angle = with(self, test, "phi_e");
+    const clod_plan_target *angle = clod_plan_conflicts_target(self, test, "phi_e");
     if (angle != NULL && of.angle - angle->value > FIRM * hypot(of.error, angle->error)) {
         clod_check_fail(
             loader, "targets",
@@ -149,7 +152,7 @@ static void check_most_cohesion(clod_loader *loader, const clod_plan *self, size
                                 const char *number, double stress)
 {
     steady of;
-    const clod_plan_target *cohesion = with(self, test, "c");
+    const clod_plan_target *cohesion = clod_plan_conflicts_target(self, test, "c");
     if (cohesion == NULL || !find_steady(self, test, number, stress, &of)) {
         return;
     }
@@ -175,7 +178,7 @@ static void check_major(clod_loader *loader, const clod_plan *self, size_t test,
                         const char *number, double stress)
 {
     steady of;
-    const clod_plan_target *major = with(self, test, "sigma_1");
+    const clod_plan_target *major = clod_plan_conflicts_target(self, test, "sigma_1");
     if (major == NULL || !find_steady(self, test, number, stress, &of)) {
         return;
     }
@@ -218,122 +221,6 @@ static void check_preshear(clod_loader *loader, const clod_plan *self, size_t te
     }
 }
 
-// ---- the strength of a straight yield locus
-
-/** sqrt(a^2 + b^2 + c^2), as of errors. */
-static double root(double a, double b, double c)
-{
-    return hypot(hypot(a, b), c);
-}
-
-/**
- * The circle of sigma_c ends at the origin and touches the same straight line as that of steady flow, which ends at
- * sigma_2 >= 0. With an angle of 0 or more it is not the larger one: sigma_c <= sigma_1 - sigma_2.
- */
-static void check_circles(clod_loader *loader, const clod_plan *self, size_t test)
-{
-    const clod_plan_target *strength = with(self, test, "sigma_c");
-    const clod_plan_target *major = with(self, test, "sigma_1");
-    const clod_plan_target *minor = with(self, test, "sigma_2");
-    if (strength == NULL || major == NULL || minor == NULL || strength->curve != NULL) {
-        return;
-    }
-    const double most = major->value - minor->value;
-    if (strength->value - most > FIRM * root(strength->error, major->error, minor->error)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: sigma_c %.4g kPa in targets.%zu is above sigma_1 - sigma_2 = %.4g kPa, of targets.%zu and "
-            "targets.%zu, and no straight yield locus has more; correct or leave out one of them",
-            self->tests[test].name, 1e-3 * strength->value, strength->entry, 1e-3 * most,
-            major->entry, minor->entry);
-    }
-}
-
-/** The same by phi_e: sigma_1 - sigma_2 = sigma_1 2 s/(1 + s), s = sin(phi_e). */
-static void check_strength(clod_loader *loader, const clod_plan *self, size_t test)
-{
-    const clod_plan_target *strength = with(self, test, "sigma_c");
-    const clod_plan_target *major = with(self, test, "sigma_1");
-    const clod_plan_target *angle = with(self, test, "phi_e");
-    if (strength == NULL || major == NULL || angle == NULL || strength->curve != NULL) {
-        return;
-    }
-    const double s = sin(angle->value);
-    const double share = 2.0 * s / (1.0 + s);
-    const double slope = 2.0 * cos(angle->value) / ((1.0 + s) * (1.0 + s)); // over the angle
-    const double most = share * major->value;
-    if (strength->value - most > FIRM * root(strength->error, share * major->error,
-                                             slope * major->value * angle->error)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: sigma_c %.4g kPa in targets.%zu is above sigma_1 2 sin(phi_e)/(1 + sin(phi_e)) = %.4g kPa, of "
-            "sigma_1 %.4g kPa in targets.%zu and phi_e %.1f deg in targets.%zu, and no straight yield locus has "
-            "more; correct or leave out one of them",
-            self->tests[test].name, 1e-3 * strength->value, strength->entry, 1e-3 * most,
-            1e-3 * major->value, major->entry, angle->measure.factor * angle->value,
-            angle->entry);
-    }
-}
-
-/** The same of ffc = sigma_1/sigma_c: with sigma_2 >= 0 it is 1 at least, and more of a known phi_e. */
-static void check_least_ffc(clod_loader *loader, const clod_plan *self, size_t test)
-{
-    const clod_plan_target *ffc = with(self, test, "ffc");
-    const clod_plan_target *angle = with(self, test, "phi_e");
-    if (ffc != NULL && 1.0 - ffc->value > FIRM * ffc->error) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: ffc %.4g in targets.%zu is below 1: sigma_c would be above sigma_1, and a straight yield locus "
-            "has at most sigma_1 - sigma_2; correct it, or is it sigma_c/sigma_1?",
-            self->tests[test].name, ffc->value, ffc->entry);
-        return;
-    }
-    if (ffc == NULL || angle == NULL) {
-        return;
-    }
-    const double s = sin(angle->value);
-    const double least = (1.0 + s) / (2.0 * s);
-    const double slope = cos(angle->value) / (2.0 * s * s); // over the angle, downwards
-    if (least - ffc->value > FIRM * hypot(ffc->error, slope * angle->error)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: ffc %.4g in targets.%zu is below (1 + sin(phi_e))/(2 sin(phi_e)) = %.4g, of phi_e %.1f deg in "
-            "targets.%zu, and no straight yield locus has less; correct or leave out one of them",
-            self->tests[test].name, ffc->value, ffc->entry, least,
-            angle->measure.factor * angle->value, angle->entry);
-    }
-}
-
-/** sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) = 2 c tan(45 deg + phi_lin/2), and phi_lin has a largest value. */
-static void check_cohesion(clod_loader *loader, const clod_plan *self, size_t test)
-{
-    const clod_plan_target *cohesion = with(self, test, "c");
-    const clod_plan_target *strength = with(self, test, "sigma_c");
-    if (cohesion == NULL || strength == NULL || strength->curve != NULL) {
-        return;
-    }
-    const clod_plan_target *angle = with(self, test, "phi_lin");
-    const double phi = angle != NULL ? angle->value : CLOD_ANGLES_MOST * CLOD_NUMBER_DEGREE;
-    const double times = 2.0 * cos(phi) / (1.0 - sin(phi));
-    const double slope = angle != NULL ? 2.0 / (1.0 - sin(phi)) : 0.0; // of it over the angle
-    const double phi_error = angle != NULL ? angle->error : 0.0;
-    const double most = times * cohesion->value;
-    if (strength->value - most > FIRM * root(strength->error, times * cohesion->error,
-                                             slope * cohesion->value * phi_error)) {
-        char of[64] = "the largest that clod locus takes";
-        if (angle != NULL) {
-            snprintf(of, sizeof of, "of targets.%zu", angle->entry);
-        }
-        clod_check_fail(
-            loader, "targets",
-            "test %s: sigma_c %.4g kPa in targets.%zu is too large for c %.4g kPa in targets.%zu: "
-            "sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) is %.4g kPa with phi_lin %.1f deg, %s; "
-            "correct or leave out one of them",
-            self->tests[test].name, 1e-3 * strength->value, strength->entry,
-            1e-3 * cohesion->value, cohesion->entry, 1e-3 * most, phi / CLOD_NUMBER_DEGREE, of);
-    }
-}
-
 // ---- points of the line
 
 /** Whether it is a shear stress of the line that was given as a number. */
@@ -370,14 +257,15 @@ void clod_plan_conflicts_shear(clod_loader *loader, const clod_plan *self)
         if (clod_test_kinds_of(self->tests[t].middle)->numbers != CLOD_NUMBERS_SHEAR) {
             continue;
         }
+        const size_t before = loader->report->count;
         for (size_t k = 0; k < sizeof ORDERS / sizeof ORDERS[0]; k++) {
             check_order(loader, self, t, &ORDERS[k]);
         }
         check_preshear(loader, self, t);
-        check_circles(loader, self, t);
-        check_strength(loader, self, t);
-        check_least_ffc(loader, self, t);
-        check_cohesion(loader, self, t);
         check_points(loader, self, t);
+        clod_plan_conflicts_locus(loader, self, t);
+        if (loader->report->count == before) { // else it would say the same again
+            clod_plan_conflicts_identities(loader, self, t);
+        }
     }
 }

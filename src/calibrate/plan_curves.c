@@ -75,7 +75,7 @@ static void take_points(const clod_curve *from, double error, clod_plan_samples 
     to->slope = curve->count < 2 ? 0.0 : (last->y - first->y) / (last->x - first->x);
     for (size_t k = 0; k < from->count; k++) {
         const clod_curve_point *p = &from->points[k];
-        const double stated = p->y_error > 0.0 ? p->y_error : error;
+        const double stated = fmax(p->y_error, error);
         to->items[to->count++] = (clod_plan_sample){
             .stress = p->x,
             .value = p->y,
@@ -137,6 +137,22 @@ static bool check_consolidation(maker *self, size_t test, const clod_curve *curv
     return false;
 }
 
+/** Warn where each stress has one row. Its errors may be of several specimens all the same. */
+static void warn_single(maker *self, const clod_plan_target *common,
+                        const clod_plan_samples *points, const char *error_column)
+{
+    for (size_t k = 0; k < points->count; k++) {
+        if (points->items[k].repeats.count > 1) {
+            return;
+        }
+    }
+    char text[160];
+    snprintf(text, sizeof text,
+             "one row at each stress: scatter between specimens not included, unless %s has it",
+             error_column);
+    clod_plan_samples_warn_one(self, common, text);
+}
+
 /** Targets of the points of a curve. */
 static void make_targets(maker *self, size_t test, const clod_number *kind, clod_curve *from,
                          const char *error_column)
@@ -157,7 +173,8 @@ static void make_targets(maker *self, size_t test, const clod_number *kind, clod
         list.curve = keep_curve(self, from);
         if (list.curve != NULL) {
             take_points(from, common.error, &list);
-            clod_plan_samples_merge(&list, common.error);
+            clod_plan_samples_merge(&list, 0.0);
+            warn_single(self, &common, &list, error_column);
         }
         if (list.curve != NULL && check_consolidation(self, test, list.curve) &&
             check_choice(self, kind, &list)) {

@@ -12,6 +12,9 @@
 #include "calibrate/test_kinds.h"
 #include "config/testers.h"
 
+#define STORED                                                                                 \
+    0.1 ///< of tau_p: peaks that are so much higher are no scatter, as clod locus has it
+
 // ---- an error above its value
 
 static void warn_of_errors(clod_plan *self)
@@ -145,13 +148,20 @@ static void warn_of_flat(clod_plan *self, clod_field_index number, const stateme
         self->tests[to->test].name, to->entry, key, errors);
 }
 
-/** Warn of the firmest fall of a number. */
-static void warn_of_number(clod_plan *self, clod_field_index number)
+/** Targets and yield loci. */
+static size_t statements(const clod_plan *self)
 {
     size_t count = self->target_count;
     for (const clod_plan_locus *locus = self->loci; locus != NULL; locus = locus->next) {
         count++;
     }
+    return count;
+}
+
+/** Warn of the firmest fall of a number. */
+static void warn_of_number(clod_plan *self, clod_field_index number)
+{
+    const size_t count = statements(self);
     statement from, to, worst[2] = {{0}};
     double most = CLOD_PLAN_FIRM_ERRORS;
     for (size_t k = 0; k < count; k++) {
@@ -168,6 +178,73 @@ static void warn_of_number(clod_plan *self, clod_field_index number)
     if (most > CLOD_PLAN_FIRM_ERRORS) {
         (is_angle(number) ? warn_of_flat : warn_of_fall)(self, number, &worst[0], &worst[1],
                                                          most);
+    }
+}
+
+// ---- a peak above preshear
+
+/** Warn of a shear stress below the preshear stress that is above what preshear bore; whether there was a reason. */
+static bool warn_of_peak(clod_plan *self, const clod_plan_target *peak, clod_field_index number)
+{
+    statement of;
+    for (size_t k = 0; k < statements(self); k++) {
+        if (!say_stress(self, k, number, &of) || of.test != peak->test ||
+            of.entry == peak->entry || peak->normal_stress >= of.stress) {
+            continue;
+        }
+        const double errors = CLOD_PLAN_FIRM_ERRORS * hypot(peak->error, of.error);
+        if (peak->value - of.value > fmax(errors, STORED * of.value)) {
+            clod_warning_list_add(
+                &self->warnings,
+                "targets.%zu: %s, %.4g kPa, is above the shear stress of preshear, %.4g kPa (%s in targets.%zu): below the "
+                "preshear stress a solid bears less than that, unless it was stored in between. Is it of another "
+                "preshear, or has one of them another unit?",
+                peak->entry, peak->name, 1e-3 * peak->value, 1e-3 * of.value,
+                CLOD_FIELDS[number].key, of.entry);
+            return true;
+        }
+    }
+    return false;
+}
+
+static void warn_of_peaks(clod_plan *self)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        const clod_plan_target *one = &self->targets[k];
+        if (strcmp(one->number, "tau") == 0 && self->wishes[one->entry].locus == NULL &&
+            !warn_of_peak(self, one, CLOD_FIELD_TAU_P)) {
+            warn_of_peak(self, one, CLOD_FIELD_PHI_SF);
+        }
+    }
+}
+
+// ---- a target that is there twice
+
+/** Whether two targets of different entries are equal to the last digit. */
+static bool is_copy(const clod_plan_target *a, const clod_plan_target *b)
+{
+    return a->entry != b->entry && a->test == b->test && !a->held_back && !b->held_back &&
+           strcmp(a->number, b->number) == 0 && a->normal_stress == b->normal_stress &&
+           a->value == b->value && a->error == b->error;
+}
+
+/** Two specimens may have one rounded value, so it is no refusal. */
+static void warn_of_copies(clod_plan *self)
+{
+    size_t next = 0; // entry that has had no warning yet
+    for (size_t k = 0; k < self->target_count; k++) {
+        const clod_plan_target *one = &self->targets[k];
+        for (size_t m = 0; m < k && one->entry >= next; m++) {
+            if (is_copy(&self->targets[m], one)) {
+                next = one->entry + 1;
+                clod_warning_list_add(
+                    &self->warnings,
+                    "targets.%zu: %s has the value and the error of targets.%zu to the last digit, and counts as a second "
+                    "measurement, which makes intervals narrower. If it is the same one, leave it out; if two specimens "
+                    "gave it, all is well.",
+                    one->entry, one->name, self->targets[m].entry);
+            }
+        }
     }
 }
 
@@ -214,6 +291,8 @@ void clod_plan_warn_doubts(clod_plan *self)
         warn_of_number(self, RISING[k]);
     }
     warn_of_inside(self);
+    warn_of_peaks(self);
+    warn_of_copies(self);
     clod_plan_warn_values(self);
     clod_plan_warn_keys(self);
     clod_plan_warn_shared_specimens(self);

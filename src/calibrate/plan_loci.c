@@ -11,7 +11,7 @@
 
 #include "base/memory.h"
 
-/** The locus of a group, but with the plan's error for points that state none; false: it has none, or no memory. */
+/** The locus of a group, but with the plan's error for points that state none or a smaller one; false: it has none, or no memory. */
 static bool with_error(const clod_locus_study *study, size_t group,
                        const clod_locus_point *points, size_t count, double error,
                        clod_plan_locus *to)
@@ -22,7 +22,7 @@ static bool with_error(const clod_locus_study *study, size_t group,
     }
     for (size_t k = 0; k < count; k++) {
         copy[k] = points[k];
-        copy[k].tau_s_error = copy[k].tau_s_error > 0.0 ? copy[k].tau_s_error : error;
+        copy[k].tau_s_error = fmax(copy[k].tau_s_error, error);
     }
     clod_status status = {CLOD_OK, ""};
     clod_locus_study *made = clod_locus_study_create(copy, count, &status);

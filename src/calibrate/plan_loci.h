@@ -21,7 +21,7 @@ typedef struct clod_plan_locus {
  * @param study   of the points, with the errors that the table states
  * @param group   of it, that of the test's preshear stress
  * @param points  [count] of the table
- * @param error   standard error that the plan gives points for which the table has none [Pa]; 0: none
+ * @param error   standard error of each point by the plan, which counts where the table's is smaller [Pa]; 0: none
  * Errors  lack of memory goes to the report.
  */
 void clod_plan_loci_keep(clod_plan_maker *self, size_t test, const clod_locus_study *study,

@@ -18,7 +18,7 @@ static void take_heaps(const clod_repose_heap *heaps, size_t count, double error
         to->items[to->count++] = (clod_plan_sample){.stress = ONE_STRESS,
                                                     .value = heaps[k].angle,
                                                     .error = heaps[k].error,
-                                                    .specimen = (int64_t)k};
+                                                    .specimen = (int64_t)k + 1};
     }
     clod_plan_samples_merge(to, error);
     to->items[0].stress = 0.0;
@@ -35,6 +35,10 @@ static void make_mean(clod_plan_maker *self, size_t test, const clod_number *kin
     if (clod_plan_samples_init(&list, self, count)) {
         list.error_column = "angle_of_repose_error";
         take_heaps(heaps, count, common.error, &list);
+        if (count == 1) {
+            clod_plan_samples_warn_one(self, &common,
+                                       "one heap: scatter between heaps not included");
+        }
         clod_plan_samples_make(self, kind, &common, &list, 0.0);
     }
     clod_plan_samples_fini(&list);

@@ -160,7 +160,7 @@ void clod_plan_samples_merge(clod_plan_samples *self, double error)
     size_t merged = 0;
     for (size_t k = 0; k < self->count; k++) {
         sample *one = &self->items[k];
-        one->error = one->error > 0.0 ? one->error : error;
+        one->error = fmax(one->error, error);
     }
     for (size_t first = 0, same; first < self->count; first += same) {
         sample *points = &self->items[first];
@@ -171,6 +171,32 @@ void clod_plan_samples_merge(clod_plan_samples *self, double error)
     }
     self->count = merged;
     pool(self, self->scratch);
+}
+
+void clod_plan_samples_warn(maker *self, const char *warning)
+{
+    clod_warning_list *list = &self->plan->warnings;
+    clod_warning_list_add(list, "%s: %s", self->wish->locus, warning);
+    const char *last = list->text[list->count - 1];
+    for (size_t k = 0; k + 1 < list->count; k++) {
+        if (strcmp(list->text[k], last) == 0) {
+            list->count--; // another entry of the same table has told it
+        }
+    }
+}
+
+void clod_plan_samples_warn_one(maker *self, const clod_plan_target *common, const char *what)
+{
+    if (common->error > 0.0) {
+        return;
+    }
+    char text[CLOD_WARNING_LIST_TEXT];
+    snprintf(
+        text, sizeof text,
+        "%s. Intervals are then too narrow: measure several, or give what they differ by as error in the plan, "
+        "which counts where it is larger than the table's.",
+        what);
+    clod_plan_samples_warn(self, text);
 }
 
 /** Warn where errors are estimated from few specimens. */

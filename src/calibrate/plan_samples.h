@@ -46,13 +46,26 @@ bool clod_plan_samples_common(clod_plan_maker *self, size_t test, const clod_num
  *
  * What all points of one seed have in common stays beside that.
  *
- * @param error  of a point whose table has none; 0: none, and then that of the mean is 0
+ * @param error  of each point; the larger of it and the table's counts; 0: the table's alone, and where a point
+ *               has none, that of the mean is 0
  */
 void clod_plan_samples_merge(clod_plan_samples *self, double error);
 
 /** Warn of a table with several points where a specimen is twice in one: nothing tells then which of its rows belong
  *  together, and errors count as independent. */
 void clod_plan_samples_warn_alike(clod_plan_maker *self, const clod_plan_samples *from);
+
+/** Warn of a table, once for all entries of the plan that name it. */
+void clod_plan_samples_warn(clod_plan_maker *self, const char *warning);
+
+/**
+ * Warn of a table of one specimen whose errors do not tell how specimens differ. An `error` of the plan may: then there is none.
+ *
+ * @param common  with the plan's error
+ * @param what    "one specimen: scatter between specimens not included"
+ */
+void clod_plan_samples_warn_one(clod_plan_maker *self, const clod_plan_target *common,
+                                const char *what);
 
 /** A target of each point, or of those at a stress where one is given. */
 void clod_plan_samples_make(clod_plan_maker *self, const clod_number *kind,

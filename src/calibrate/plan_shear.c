@@ -27,12 +27,6 @@ typedef struct shear_table {
     const clod_locus_point *points;
 } shear_table;
 
-/** What clod locus says of a table beside its numbers. */
-static void warn(maker *self, const char *warning)
-{
-    clod_warning_list_add(&self->plan->warnings, "%s: %s", self->wish->locus, warning);
-}
-
 // ---- points
 
 /** Preshears of the points of one seed. */
@@ -79,7 +73,7 @@ static sample prorated_point(const clod_locus_mark *mark, const clod_locus_point
 {
     sample made = {.stress = mark->sigma,
                    .value = mark->prorated,
-                   .error = point->tau_s_error > 0.0 ? point->tau_s_error : given,
+                   .error = fmax(point->tau_s_error, given),
                    .specimen = mark->seed};
     if (of->count > 1 && made.error > 0.0) {
         made.error =
@@ -149,8 +143,8 @@ static double points_of(const clod_locus *locus, int64_t seed)
     return count;
 }
 
-/** Standard error of the mean of a column over specimens: from their scatter, or from the table's errors, or else the
- *  plan's, of each, whichever is larger (as clod_mean_of has it). */
+/** Standard error of the mean of a column over specimens: from their scatter, from the table's errors or from the
+ *  plan's, of each, whichever is largest (as clod_mean_of has it). */
 static double mean_error(const clod_locus *locus, const clod_locus_point *points,
                          const column *of, double given)
 {
@@ -164,7 +158,7 @@ static double mean_error(const clod_locus *locus, const clod_locus_point *points
         stated = stated && one > 0.0;
         squares += one * one / points_of(locus, locus->marks[k].seed);
     }
-    return fmax(told, stated ? sqrt(squares) / specimens : given / sqrt(specimens));
+    return fmax(fmax(told, stated ? sqrt(squares) / specimens : 0.0), given / sqrt(specimens));
 }
 
 /** Mean of a specimen over the points that tell it, one at least. */
@@ -280,7 +274,10 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
             make_mean(self, kind, &common, &table);
         }
         for (size_t k = 0; k < locus->warning_count; k++) {
-            warn(self, locus->warnings[k]);
+            clod_plan_samples_warn(self, locus->warnings[k]);
+        }
+        if (clod_locus_one_specimen(locus)) {
+            clod_plan_samples_warn_one(self, &common, CLOD_LOCUS_ONE_SPECIMEN);
         }
         return;
     }

@@ -67,7 +67,7 @@ static bool warn_of_tests(clod_plan *self, const clod_plan_target *one, size_t o
     }
     clod_warning_list_add(
         &self->warnings,
-        "%s: specimens of this table (seed %s) serve targets of the tests %.40s and %.40s. Targets of different "
+        "%s: specimens %s of this table serve targets of the tests %.40s and %.40s. Targets of different "
         "tests count as independent, which numbers of one specimen are not: intervals are too narrow, the more so "
         "the more specimens differ. Give each test specimens of its own, or hold back the targets of one of them.",
         self->wishes[one->entry].locus, text, self->tests[one->test].name,

@@ -69,6 +69,9 @@ static void make_angles(maker *self, size_t test, const clod_number *kind,
         take_angles(self, locus, &list);
         clod_plan_samples_merge(&list, common.error);
         clod_plan_samples_warn_alike(self, &list);
+        if (clod_wall_locus_one_specimen(locus)) {
+            clod_plan_samples_warn_one(self, &common, CLOD_LOCUS_ONE_SPECIMEN);
+        }
         clod_plan_samples_make(self, kind, &common, &list, 0.0);
     }
     clod_plan_samples_fini(&list);
@@ -88,8 +91,7 @@ static bool make_wall(maker *self, size_t test, const clod_number *kind, clod_st
     if (good) {
         make_angles(self, test, kind, &locus);
         for (size_t k = 0; k < locus.warning_count; k++) {
-            clod_warning_list_add(&self->plan->warnings, "%s: %s", self->wish->locus,
-                                  locus.warnings[k]);
+            clod_plan_samples_warn(self, locus.warnings[k]);
         }
         clod_wall_locus_fini(&locus);
     }

@@ -101,7 +101,7 @@ class Settings(bounce.Bounce):
         done = clod.run("calibrate", "plan-loci.yaml", "--check", cwd=self.path("lab"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("The plan, its cases and tables are in order.", done.stdout)
-        self.assertIn("(seed 101, 102, 103) serve targets of the tests ring and low.", done.stderr)
+        self.assertIn("specimens 101, 102, 103 of this table serve targets of the tests ring and low.", done.stderr)
         # a setting of one test is a key of the plan as any other
         done = clod.run("calibrate", "plan-loci.yaml", "--check", "--set", "tests.low.set.ring_shear.preshear_stress=0.6 s",
                         cwd=self.path("lab"))

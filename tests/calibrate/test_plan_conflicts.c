@@ -182,6 +182,25 @@ static void a_cohesion_beside_the_major_stress(void **state)
         "test lab: sigma_1 60.00 kPa in targets.1 is below twice the c 32.60 kPa in targets.0");
 }
 
+// 2 sqrt(1^2 + 1.5^2) = 3.606 kPa. A strength of a table is one of its own sigma_1.
+static void a_strength_above_the_major_stress(void **state)
+{
+    clod_plan plan;
+    load_both(state, "sigma_c, value: 63.5 kPa, error: 1 kPa",
+              "sigma_1, value: 60 kPa, error: 1.5 kPa");
+    lab_refuse(
+        state, RING,
+        TWO("sigma_c, value: 63.7 kPa, error: 1 kPa", "sigma_1, value: 60 kPa, error: 1.5 kPa"),
+        "test lab: sigma_1 60.00 kPa in targets.1 is below sigma_c 63.70 kPa in targets.0, and a straight yield "
+        "locus has a sigma_c of at most sigma_1 - sigma_2");
+    lab_write_file(state, "lab.csv", "sigma_1 [kPa],f_c [kPa],f_c_error [kPa]\n110,70,1\n");
+    lab_load_good(state, RING,
+                  "locus: lab.csv}, {test: lab, number: sigma_1, value: 60 kPa, error: 1.5 kPa",
+                  &plan);
+    assert_int_equal(plan.target_count, 2);
+    clod_plan_fini(&plan);
+}
+
 #define THREE(one, two, three) TWO(one, two) "}, {test: lab, number: " three
 
 static void load_three(void **state, const char *one, const char *two, const char *three)
@@ -242,23 +261,15 @@ static void ffc_below_one(void **state)
                "test lab: ffc 0.2 in targets.1 is below 1");
 }
 
-// 2 tan 85 = 22.860 without phi_lin: two of sqrt(1.5^2 + (0.1 22.860)^2) = 2.734 kPa above it are 28.33 kPa. With
-// phi_lin 30 deg it is 2 tan 60 = 3.4641, whose slope is 2/(1 - 1/2) = 4: two of
-// sqrt(0.2^2 + (0.1 3.4641)^2 + (4 2 pi/180)^2) = 0.4237 kPa above 3.4641 are 4.311 kPa.
+// 2 tan 85 = 22.860 without phi_lin: two of sqrt(1.5^2 + (0.1 22.860)^2) = 2.734 kPa above it are 28.33 kPa.
 static void cohesion_too_small_for_a_strength(void **state)
 {
 #define COHESION "c, value: 1 kPa, error: 0.1 kPa"
-#define FRICTION "phi_lin, value: 30 deg, error: 2 deg"
     load_both(state, COHESION, "sigma_c, value: 28.2 kPa, error: 1.5 kPa");
     lab_refuse(
         state, RING, TWO(COHESION, "sigma_c, value: 28.5 kPa, error: 1.5 kPa"),
         "test lab: sigma_c 28.5 kPa in targets.1 is too large for c 1 kPa in targets.0: sigma_c = 2 c "
-        "cos(phi_lin)/(1 - sin(phi_lin)) is 22.86 kPa with phi_lin 80.0 deg, the largest that clod locus takes");
-    load_three(state, COHESION, FRICTION, "sigma_c, value: 4.3 kPa, error: 0.2 kPa");
-    lab_refuse(
-        state, RING, THREE(COHESION, FRICTION, "sigma_c, value: 4.33 kPa, error: 0.2 kPa"),
-        "test lab: sigma_c 4.33 kPa in targets.2 is too large for c 1 kPa in targets.0: sigma_c = 2 c "
-        "cos(phi_lin)/(1 - sin(phi_lin)) is 3.464 kPa with phi_lin 30.0 deg, of targets.1");
+        "cos(phi_lin)/(1 - sin(phi_lin)) is 22.86 kPa with phi_lin 80 deg, the largest that clod locus takes");
 }
 
 // Of 27.4 and 40 kPa of normal stress: two of sqrt(1 + 1) kPa are 2.83 kPa.
@@ -367,6 +378,7 @@ int main(void)
         TEST(a_tau_p_beside_phi_e),
         TEST(a_cohesion_beside_steady_flow),
         TEST(a_cohesion_beside_the_major_stress),
+        TEST(a_strength_above_the_major_stress),
         TEST(strength_above_the_difference_of_principal_stresses),
         TEST(strength_above_that_of_an_effective_angle),
         TEST(ffc_below_one),

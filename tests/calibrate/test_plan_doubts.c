@@ -208,7 +208,7 @@ static void error_above_the_values_of_a_table(void **state)
     lab_write_file(
         state, "lab.csv",
         "sigma_1 [kPa],rho_b [kg/m3],rho_b_error [kg/m3]\n20,1500,10\n54.8,1600,2000\n");
-    lab_load_good(state, UNIAXIAL, "locus: lab.csv", &plan);
+    lab_load_good(state, UNIAXIAL, "locus: lab.csv, error: 10 kg/m3", &plan);
     check_warnings(
         &plan, 1,
         "targets.0: the error of lab: rho_b at 54.8 kPa, 2000 kg/m3, is larger than its value, 1600 kg/m3");
@@ -241,6 +241,65 @@ static void density_that_is_smaller_away_from_the_walls(void **state)
     check_warnings(&plan, 0, "");
 }
 
+// A tenth of 30 kPa is 3 kPa, more than two of hypot(1, 1) kPa and less than two of hypot(2, 1) = 2.236 kPa. atan(30/54.8) is
+// 28.698 deg, and 1 deg of it 1.243 kPa: two of hypot(1, 1.243) kPa are 3.19 kPa.
+static void peak_above_preshear(void **state)
+{
+#define PEAK(value, error, preshear)                                                           \
+    "number: tau, normal_stress: 27.4 kPa, value: " value " kPa, error: " error " kPa"         \
+    "}, {test: lab, " preshear
+#define TAU_P "number: tau_p, value: 30 kPa, error: 1 kPa"
+    clod_plan plan;
+    lab_load_good(state, RING, PEAK("32.9", "1", TAU_P), &plan);
+    check_warnings(&plan, 0, "");
+    lab_load_good(state, RING, PEAK("33.1", "1", TAU_P), &plan);
+    check_warnings(
+        &plan, 1,
+        "targets.0: lab: tau at 27.4 kPa, 33.1 kPa, is above the shear stress of preshear, 30 kPa (tau_p in targets.1)");
+    lab_load_good(state, RING, PEAK("34.4", "2", TAU_P), &plan);
+    check_warnings(&plan, 0, "");
+    lab_load_good(state, RING, PEAK("34.6", "2", TAU_P), &plan);
+    check_warnings(&plan, 1, "is above the shear stress of preshear");
+    lab_load_good(
+        state, RING,
+        PEAK("33.3", "1", "number: phi_sf, value: 28.698 deg, error: 1 deg, held_back: true"),
+        &plan);
+    check_warnings(&plan, 1, "30 kPa (phi_sf in targets.1)");
+    lab_write_file(state, "lab.csv",
+                   "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+                   "54.8,30,10.96,12.7,1500\n54.8,30,20,16.7,1501\n54.8,30,43.84,27.3,1502\n");
+    lab_load_good(state, RING, PEAK("33.1", "1", "locus: lab.csv, error: 1 kPa"), &plan);
+    check_warnings(&plan, 1, "30 kPa (tau_p in targets.1)");
+}
+
+static void a_target_that_is_there_twice(void **state)
+{
+#define AGAIN(more) "number: phi_lin, value: 30 deg, error: 1 deg}, {test: lab, " more
+    clod_plan plan;
+    lab_load_good(state, RING, AGAIN("number: phi_lin, value: 30 deg, error: 1 deg"), &plan);
+    check_warnings(
+        &plan, 1,
+        "targets.1: lab: phi_lin (targets.1) has the value and the error of targets.0 to the last digit, and counts as a "
+        "second measurement");
+    lab_load_good(state, RING, AGAIN("number: phi_lin, value: 30.1 deg, error: 1 deg"), &plan);
+    check_warnings(&plan, 0, "");
+    lab_load_good(state, RING, AGAIN("number: phi_lin, value: 30 deg, error: 1.1 deg"), &plan);
+    check_warnings(&plan, 0, "");
+    lab_load_good(state, RING, AGAIN("number: phi_sf, value: 30 deg, error: 1 deg"), &plan);
+    check_warnings(&plan, 0, "");
+    lab_load_good(state, RING,
+                  AGAIN("number: phi_lin, value: 30 deg, error: 1 deg, held_back: true"),
+                  &plan);
+    check_warnings(&plan, 0, "");
+    static const char *const TABLE = "sigma_1 [kPa],rho_b [kg/m3]\n20,1500\n54.8,1600\n";
+    lab_write_file(state, "lab.csv", TABLE);
+    lab_write_file(state, "copy.csv", TABLE);
+    lab_load_good(
+        state, UNIAXIAL,
+        "locus: lab.csv, error: 9 kg/m3}, {test: lab, locus: copy.csv, error: 9 kg/m3", &plan);
+    check_warnings(&plan, 1, "targets.1: lab: rho_b at 20 kPa (targets.1) has the value");
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
 
 int main(void)
@@ -255,6 +314,8 @@ int main(void)
         TEST(error_above_its_value),
         TEST(error_above_the_values_of_a_table),
         TEST(density_that_is_smaller_away_from_the_walls),
+        TEST(peak_above_preshear),
+        TEST(a_target_that_is_there_twice),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

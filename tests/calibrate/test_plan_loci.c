@@ -59,6 +59,21 @@ static void cohesion_beside_the_points_it_follows_from(void **state)
                "by 4.2 standard errors");
 }
 
+// With 0.6 kPa for each point 4 sqrt(0.788^2 + 0.1^2) = 3.18 kPa; 3.3 kPa are 4.2 standard errors. 0.2 kPa are less than the table's.
+static void cohesion_beside_points_with_the_error_of_the_plan(void **state)
+{
+    clod_plan plan;
+    write_errors(state, 5.0);
+    lab_load_good(state, RING, BESIDE(", error: 0.6 kPa", "c, value: 8.1 kPa, error: 0.1 kPa"),
+                  &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(state, RING, BESIDE(", error: 0.6 kPa", "c, value: 8.3 kPa, error: 0.1 kPa"),
+               "by 4.2 standard errors");
+    lab_load_good(state, RING, BESIDE(", error: 0.2 kPa", "c, value: 6.6 kPa, error: 0.1 kPa"),
+                  &plan);
+    clod_plan_fini(&plan);
+}
+
 // 4 sqrt(0.496^2 + 0.5^2) = 2.82 deg; 3.01 deg are 4.3 standard errors.
 static void angle_beside_the_points_it_follows_from(void **state)
 {
@@ -136,6 +151,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(cohesion_beside_the_points_it_follows_from),
+        TEST(cohesion_beside_points_with_the_error_of_the_plan),
         TEST(angle_beside_the_points_it_follows_from),
         TEST(strength_beside_the_points_it_follows_from),
         TEST(strength_beside_a_line_with_no_cohesion),

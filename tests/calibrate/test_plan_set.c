@@ -188,7 +188,8 @@ static void specimens_of_two_tests_are_warned_of(void **state)
     clod_plan plan;
     const char *told = warning_of(state, SEEDS, TWO(""), &plan);
     assert_non_null(told);
-    assert_non_null(strstr(told, "(seed 2) serve targets of the tests a and b"));
+    assert_non_null(
+        strstr(told, "specimens 2 of this table serve targets of the tests a and b"));
     clod_plan_fini(&plan);
     assert_null(warning_of(state, SEEDS, TWO(", held_back: true"), &plan));
     clod_plan_fini(&plan);
