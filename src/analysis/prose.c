@@ -1,6 +1,7 @@
 #include "analysis/prose.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 void clod_prose_number(FILE *out, int width, int digits, double value)
@@ -22,6 +23,28 @@ void clod_prose_error(FILE *out, int width, int digits, double value)
     } else {
         clod_prose_number(out, width, digits, value);
     }
+}
+
+/** Worth of the last of four digits of a value; 0: it has none. */
+static double last_digit(double value)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.3e", value); // rounded as "%.4g" rounds it
+    const char *power = strchr(text, 'e');
+    return value != 0.0 && power != NULL ? pow(10.0, (double)strtol(power + 1, NULL, 10) - 3.0)
+                                         : 0.0;
+}
+
+const char *clod_prose_deviation(char text[32], double value, double deviation)
+{
+    const double least = last_digit(value);
+    text[0] = '\0';
+    if (deviation > 0.0 && deviation < 0.5 * least) {
+        snprintf(text, 32, " +- <%g", least);
+    } else if (isfinite(deviation)) {
+        snprintf(text, 32, " +- %.2g", deviation);
+    }
+    return text;
 }
 
 void clod_prose_warning(FILE *out, const char *text)

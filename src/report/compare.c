@@ -4,6 +4,7 @@
  */
 
 #include <stdio.h>
+#include <sys/stat.h>
 
 #include "base/memory.h"
 #include "report/compare_head.h"
@@ -19,12 +20,28 @@ static bool fail_memory(clod_status *status)
     return clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.");
 }
 
+/** Refuse a folder that is named twice, by the same path or another one. */
+static bool is_new(const clod_report_options *options, size_t k, clod_status *status)
+{
+    struct stat mine, other;
+    for (size_t j = 0; j < k && stat(options->runs[k], &mine) == 0; j++) {
+        if (stat(options->runs[j], &other) == 0 && mine.st_dev == other.st_dev &&
+            mine.st_ino == other.st_ino) {
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "%s and %s are the same folder: name each run once.",
+                                    options->runs[j], options->runs[k]);
+        }
+    }
+    return true;
+}
+
 /** Open all runs, which must be of one kind. */
 static bool open_runs(const clod_report_options *options, clod_run_files *runs,
                       clod_status *status)
 {
     for (size_t k = 0; k < options->run_count; k++) {
-        if (!clod_run_files_open(&runs[k], options->runs[k], status)) {
+        if (!clod_run_files_open(&runs[k], options->runs[k], status) ||
+            !is_new(options, k, status)) {
             return false;
         }
         if (runs[k].kind != runs[0].kind) {

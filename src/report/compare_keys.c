@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "report/compare_seeds.h"
 #include "report/html.h"
 #include "report/result_table.h"
 #include "sim/case_diff.h"
@@ -151,6 +152,26 @@ static bool put_keys(FILE *out, const key_list *keys, const clod_run_files *runs
     return good;
 }
 
+/** Say that nothing differs, and what follows from it. */
+static void put_none(FILE *out, const clod_run_files *runs, size_t count)
+{
+    bool same = true;
+    for (size_t k = 1; k < count; k++) {
+        same = same && clod_compare_seeds_origin(&runs[0], &runs[k]);
+    }
+    if (count < 2 || !same) {
+        fprintf(out, "<p>Nothing: the cases are the same%s.</p>\n",
+                same ? "" : "; the runs began from other grains (clod run --from)");
+        return;
+    }
+    fprintf(
+        out,
+        "<p>Nothing: the cases are the same, and so are their seeds. These are %zu runs of one "
+        "packing: the same version of clod computes the same bits every time, so that they "
+        "agree says nothing about scatter.</p>\n",
+        count);
+}
+
 bool clod_compare_keys_put(FILE *out, const clod_run_files *runs, size_t count,
                            clod_status *status)
 {
@@ -164,7 +185,7 @@ bool clod_compare_keys_put(FILE *out, const clod_run_files *runs, size_t count,
         good = clod_status_fail(status, CLOD_FAILED, "no memory to compare cases");
     }
     if (good && keys.count == 0) {
-        fputs("<p>Nothing: the cases are the same.</p>\n", out);
+        put_none(out, runs, count);
     } else if (good) {
         good = put_keys(out, &keys, runs, count, status);
     }

@@ -61,7 +61,7 @@ static bool try_group(clod_compare_seeds *self, const clod_run_files *runs, char
     for (size_t j = first; j < k; j++) {
         if (self->group[j] == first &&
             (strcmp(seed[j], one.seed) == 0 || share_packing(&runs[j], &runs[k]))) {
-            self->left_out = true;
+            self->twin[k] = j;
             return true; // the same packing again
         }
     }
@@ -74,13 +74,15 @@ bool clod_compare_seeds_find(clod_compare_seeds *self, const clod_run_files *run
                              clod_status *status)
 {
     *self = (clod_compare_seeds){.count = count,
-                                 .group = clod_memory_alloc(count + 1, sizeof *self->group)};
+                                 .group = clod_memory_alloc(count + 1, sizeof *self->group),
+                                 .twin = clod_memory_alloc(count + 1, sizeof *self->twin)};
     char(*seed)[SEED] = clod_memory_alloc(count + 1, sizeof *seed);
-    bool good = (self->group != NULL && seed != NULL) ||
+    bool good = (self->group != NULL && self->twin != NULL && seed != NULL) ||
                 clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.");
     for (size_t k = 0; good && k < count; k++) {
         bool done = runs[k].report == NULL;
         self->group[k] = count;
+        self->twin[k] = count;
         for (size_t first = 0; good && !done && first < k; first++) {
             if (self->group[first] == first) {
                 good = try_group(self, runs, seed, first, k, &done, status);
@@ -192,16 +194,40 @@ void clod_compare_seeds_note(FILE *out, const clod_compare_seeds *self,
         }
         fputs(". Errors of the single runs have no part in it.</p>\n", out);
     }
-    if (self->left_out) {
+}
+
+bool clod_compare_seeds_origin(const clod_run_files *a, const clod_run_files *b)
+{
+    const json_t *one = json_object_get(a->summary, "from");
+    const json_t *other = json_object_get(b->summary, "from");
+    return (one == NULL && other == NULL) || json_equal(one, other);
+}
+
+void clod_compare_seeds_twins(FILE *out, const clod_compare_seeds *self,
+                              const clod_run_files *runs)
+{
+    for (size_t k = 0; k < self->count; k++) {
+        if (self->twin[k] == self->count) {
+            continue;
+        }
+        const clod_run_files *twin = &runs[self->twin[k]];
+        fputs("<p class=\"note\"><strong>", out);
+        clod_html_text(out, runs[k].name);
+        fputs("</strong> has the case of ", out);
+        clod_html_text(out, twin->name);
         fputs(
-            "<p class=\"note\">Runs that share a packing (a seed) with an earlier one of the same case have no part "
-            "in means: they are not independent.</p>\n",
+            clod_compare_seeds_origin(&runs[k], twin)
+                ? " and a seed of it: they have a packing in common, of which the same version "
+                  "of clod computes the same bits every time. It is no repeat, and has"
+                : " and a seed of it, but began from other grains (clod run --from). It has",
             out);
+        fputs(" no part in means.</p>\n", out);
     }
 }
 
 void clod_compare_seeds_fini(clod_compare_seeds *self)
 {
     clod_memory_free(self->group);
+    clod_memory_free(self->twin);
     *self = (clod_compare_seeds){0};
 }

@@ -15,12 +15,13 @@
 /** Groups of complete runs whose cases differ in nothing but `seed` (and `title`). */
 typedef struct clod_compare_seeds {
     size_t *group; ///< [count] owned: number of the first run of the group; `count`: of none
-    size_t count;  ///< of runs
-    bool left_out; ///< a run has a packing in common with an earlier one of its case
+    size_t *
+        twin; ///< [count] owned: the earlier run of its case with a seed in common; `count`: none
+    size_t count; ///< of runs
 } clod_compare_seeds;
 
 /**
- * Find the groups. A run that has a packing (a seed) in common with an earlier one of its group is left out: it tells
+ * Find the groups. A run that has a seed (a packing) in common with an earlier one of its group is left out: it tells
  * little that is new.
  *
  * @param self  [out] owned (clod_compare_seeds_fini), also after a failure
@@ -45,6 +46,13 @@ json_t *clod_compare_seeds_mean(const clod_result_row *rows, size_t row_count,
 /** Say what each mean is of. */
 void clod_compare_seeds_note(FILE *out, const clod_compare_seeds *self,
                              const clod_run_files *runs);
+
+/** Say which runs have a packing in common: these are no repeats. */
+void clod_compare_seeds_twins(FILE *out, const clod_compare_seeds *self,
+                              const clod_run_files *runs);
+
+/** Whether two runs begin from the same grains: both from their case, or (`clod run --from`) from one run. */
+bool clod_compare_seeds_origin(const clod_run_files *a, const clod_run_files *b);
 
 /** How the mean of a group is called, in order of the groups. */
 void clod_compare_seeds_name(const clod_compare_seeds *self, size_t group, char name[64]);

@@ -116,6 +116,7 @@ bool clod_compare_tables_put(FILE *out, const clod_result_row *rows, size_t row_
         if (all.mean_count > 0) {
             clod_compare_seeds_note(out, &seeds, runs);
         }
+        clod_compare_seeds_twins(out, &seeds, runs);
     }
     for (size_t k = 0; k < all.mean_count; k++) {
         json_decref(all.means[k]);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "report/field_axes.h"
 #include "report/field_slices.h"
 #include "report/html.h"
 #include "report/series_figures.h"
@@ -175,6 +176,7 @@ bool clod_run_pages_free(clod_sheet *sheet, const clod_run_files *run, const jso
         clod_sheet_columns(sheet, false);
         fputs("</details>\n", sheet->body);
         good = good && clod_field_slices_put(sheet, run, status);
+        clod_field_axes_set(run);
         put_tables(sheet->body, run->summary);
     }
     clod_table_fini(&series);

@@ -2,8 +2,12 @@
 
 #include <stdio.h>
 
+#include "report/field_axes.h"
+#include "report/field_slices.h"
 #include "report/html.h"
+#include "report/series_figures.h"
 #include "report/summary_tables.h"
+#include "report/table.h"
 
 /** Whether it is a mean over a region, or an index: what is not a grid. */
 static bool is_shown(const json_t *one)
@@ -58,10 +62,42 @@ static void put_kind(FILE *out, const json_t *parts, const char *kind, const cha
     }
 }
 
-void clod_part_tables_put(clod_sheet *sheet, const clod_run_files *run)
+/** The curves of the part whose slices are shown, folded; nothing when it has no means over regions. */
+static bool put_curves(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+{
+    const char *part, *field;
+    json_t *one;
+    bool any = false;
+    json_object_foreach(clod_field_slices_grids(run, &part), field, one)
+    {
+        any = any || is_shown(one);
+    }
+    if (part == NULL || !any) {
+        return true;
+    }
+    clod_table table;
+    char name[256];
+    snprintf(name, sizeof name, "%s.csv", part);
+    const bool good = clod_table_read(&table, run->folder, name, status);
+    if (good) {
+        fputs("<details class=\"more\"><summary>More curves: fields in ", sheet->body);
+        clod_html_text(sheet->body, part);
+        fputs("</summary>\n", sheet->body);
+        clod_sheet_columns(sheet, true);
+        clod_series_figures_fields(sheet, &table);
+        clod_sheet_columns(sheet, false);
+        fputs("</details>\n", sheet->body);
+    }
+    clod_table_fini(&table);
+    return good;
+}
+
+bool clod_part_tables_put(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
 {
     const json_t *parts = json_object_get(run->summary, "parts");
     bool any = false;
+    clod_field_axes_set(run);
     put_kind(sheet->body, parts, "fields", "Field", &any);
     put_kind(sheet->body, parts, "mixing", "Mixing", &any);
+    return put_curves(sheet, run, status);
 }

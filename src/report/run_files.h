@@ -37,9 +37,9 @@ bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *
 
 /**
  * Name runs that stand side by side: the last name of each folder, and as many of those above it as
- * it takes for all names to differ. Two of one folder keep one name.
+ * it takes for all names to differ.
  *
- * @param runs  [count] opened   Test  tests/report/test_compare.py
+ * @param runs  [count] opened, of other folders   Test  tests/report/test_compare.py
  */
 void clod_run_files_names(clod_run_files *runs, size_t count);
 

@@ -11,6 +11,10 @@
  *  Errors  the sheet is lost without memory.   Test  tests/report/test_free_page.py */
 void clod_series_figures_put(clod_sheet *sheet, const clod_table *series, bool main);
 
+/** Put in what fields measured in a part of a test, over its displacement or strain.
+ *  Errors  the sheet is lost without memory.   Test  tests/report/test_page.py */
+void clod_series_figures_fields(clod_sheet *sheet, const clod_table *part);
+
 /** All columns with this unit in one figure over time. */
 void clod_series_figures_all(clod_sheet *sheet, const clod_table *table, const char *name,
                              const char *title, const char *unit);

@@ -112,9 +112,9 @@ void clod_series_groups_object(const char *name, char words[CLOD_FIGURE_NAME])
 static const char *kind_of(const char *name)
 {
     static const char *const KINDS[][2] = {
-        {"inlet_", "inlets"},     {"outlet_", "outlets"},           {"gauge_", "gauges"},
-        {"surface_", "surfaces"}, {"left_", "sides of the domain"}, {"balance", "balance"},
-        {"clumps", "clumps"}};
+        {"inlet_", "inlets"},     {"outlet_", "outlets"}, {"gauge_", "gauges"},
+        {"surface_", "surfaces"}, {"field_", "fields"},   {"left_", "sides of the domain"},
+        {"balance", "balance"},   {"clumps", "clumps"}};
     for (size_t k = 0; k < sizeof KINDS / sizeof *KINDS; k++) {
         if (strncmp(name, KINDS[k][0], strlen(KINDS[k][0])) == 0) {
             return KINDS[k][1];

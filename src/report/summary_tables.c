@@ -41,11 +41,18 @@ void clod_summary_tables_name(const char *key, char name[CLOD_FIGURE_NAME], char
     put_words(key, length, name);
 }
 
-/** Objects side by side, and the keys of their numbers. */
+/** What a row, or a column, has of each object. */
+typedef struct quantity {
+    const char *key;
+    size_t at;    ///< of a vector or tensor: number of the component
+    char axes[3]; ///< of a vector "x", of a tensor "xy"; "": a plain number
+} quantity;
+
+/** Objects side by side, and their numbers. */
 typedef struct layout {
     const json_t *item[MOST];
     char head[MOST][CLOD_FIGURE_NAME];
-    const char *key[MOST];
+    quantity key[MOST];
     size_t items, keys;
     size_t more_items, more_keys; ///< that have no room
 } layout;
@@ -56,6 +63,29 @@ static bool is_spread(const json_t *value)
            json_object_get(value, "deviation") != NULL;
 }
 
+/** Components of a mean with its deviation that is a vector, 3, or a tensor, 9; 0: it is none. */
+static size_t components_of(const json_t *value)
+{
+    const size_t count = json_array_size(json_object_get(value, "mean"));
+    return (count == 3 || count == 9) &&
+                   json_array_size(json_object_get(value, "deviation")) == count
+               ? count
+               : 0;
+}
+
+/** Component `at` of `count` along the axes of an object: of x, y, z, or r, t, z. */
+static quantity component_of(const json_t *item, const char *key, size_t count, size_t at)
+{
+    const char *along = json_string_value(json_object_get(item, "components"));
+    const char *axis = along != NULL && strcmp(along, "cylindrical") == 0 ? "rtz" : "xyz";
+    quantity self = {.key = key, .at = at, .axes = {axis[at % 3]}};
+    if (count == 9) {
+        self.axes[0] = axis[at / 3 % 3];
+        self.axes[1] = axis[at % 3];
+    }
+    return self;
+}
+
 static bool is_vector(const json_t *value)
 {
     return json_array_size(value) == 3 && json_is_number(json_array_get(value, 0));
@@ -64,7 +94,7 @@ static bool is_vector(const json_t *value)
 static bool is_shown(const json_t *value)
 {
     return json_is_number(value) || json_is_boolean(value) || json_is_string(value) ||
-           is_spread(value) || is_vector(value);
+           is_spread(value) || is_vector(value) || components_of(value) > 0;
 }
 
 /** Whether it is an object with something that is shown. */
@@ -116,21 +146,49 @@ static bool is_error(json_t *item, const json_t *value)
     return false;
 }
 
+static bool is_same(const quantity *a, const quantity *b)
+{
+    return strcmp(a->key, b->key) == 0 && strcmp(a->axes, b->axes) == 0;
+}
+
+/** Add what is not there yet. */
+static void add_key(layout *self, quantity one)
+{
+    bool known = false;
+    for (size_t k = 0; k < self->keys && !known; k++) {
+        known = is_same(&self->key[k], &one);
+    }
+    if (!known && self->keys < MOST) {
+        self->key[self->keys++] = one;
+    } else if (!known) {
+        self->more_keys++;
+    }
+}
+
+/** Whether a key tells something about the object that has no row of its own. */
+static bool is_about(const char *key)
+{
+    static const char *const ABOUT[] = {"name", "part", "components", "errors_note"};
+    for (size_t k = 0; k < sizeof ABOUT / sizeof *ABOUT; k++) {
+        if (strcmp(key, ABOUT[k]) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void add_keys(layout *self, json_t *item)
 {
     const char *key;
     json_t *value;
     json_object_foreach(item, key, value)
     {
-        bool known = !is_shown(value) || strcmp(key, "name") == 0 || strcmp(key, "part") == 0 ||
-                     strcmp(key, "errors_note") == 0 || is_error(item, value);
-        for (size_t k = 0; k < self->keys && !known; k++) {
-            known = strcmp(self->key[k], key) == 0;
+        const size_t components = components_of(value);
+        for (size_t c = 0; c < components; c++) {
+            add_key(self, component_of(item, key, components, c));
         }
-        if (!known && self->keys < MOST) {
-            self->key[self->keys++] = key;
-        } else if (!known) {
-            self->more_keys++;
+        if (components == 0 && is_shown(value) && !is_about(key) && !is_error(item, value)) {
+            add_key(self, (quantity){.key = key});
         }
     }
 }
@@ -177,9 +235,10 @@ static bool says_something(const layout *self)
 {
     for (size_t i = 0; i < self->items; i++) {
         for (size_t k = 0; k < self->keys; k++) {
-            const json_t *value = json_object_get(self->item[i], self->key[k]);
-            const json_t *number = is_spread(value) ? json_object_get(value, "mean") : value;
-            if (json_is_string(value) || is_vector(value) || json_number_value(number) != 0.0) {
+            const json_t *value = json_object_get(self->item[i], self->key[k].key);
+            const json_t *mean = is_spread(value) ? json_object_get(value, "mean") : value;
+            if (json_is_string(value) || is_vector(value) || components_of(value) > 0 ||
+                json_number_value(mean) != 0.0) {
                 return true;
             }
         }
@@ -199,12 +258,37 @@ static void put_number(FILE *out, double value, double error, const char *unit)
     fputs("</td>", out);
 }
 
-static void put_cell(FILE *out, const json_t *item, const char *key)
+/** Whether an object has this component of a value, along the same axes. */
+static bool has_component(const json_t *item, const quantity *which)
 {
+    const size_t count = components_of(json_object_get(item, which->key));
+    const quantity own = component_of(item, which->key, count, which->at);
+    return which->at < count && is_same(&own, which);
+}
+
+/** A component of a vector or tensor; nothing where the object has none, or no number. */
+static void put_component(FILE *out, const json_t *item, const quantity *which,
+                          const char *unit)
+{
+    const json_t *value = json_object_get(item, which->key);
+    const json_t *mean = json_array_get(json_object_get(value, "mean"), which->at);
+    const json_t *deviation = json_array_get(json_object_get(value, "deviation"), which->at);
+    if (has_component(item, which) && json_is_number(mean)) {
+        put_number(out, json_number_value(mean), json_number_value(deviation), unit);
+    } else {
+        fputs("<td></td>", out);
+    }
+}
+
+static void put_cell(FILE *out, const json_t *item, const quantity *which)
+{
+    const char *key = which->key;
     const json_t *value = json_object_get(item, key);
     char name[CLOD_FIGURE_NAME], unit[16];
     clod_summary_tables_name(key, name, unit);
-    if (is_spread(value)) {
+    if (which->axes[0] != '\0') {
+        put_component(out, item, which, unit);
+    } else if (is_spread(value)) {
         put_number(out, json_number_value(json_object_get(value, "mean")),
                    json_number_value(json_object_get(value, "deviation")), unit);
     } else if (is_vector(value)) {
@@ -223,12 +307,16 @@ static void put_cell(FILE *out, const json_t *item, const char *key)
     }
 }
 
-/** Name and unit of a key, as a head. */
-static void put_key(FILE *out, const char *key)
+/** Name, axes and unit, as a head: "contact stress xy [Pa]". */
+static void put_key(FILE *out, const quantity *which)
 {
     char name[CLOD_FIGURE_NAME], unit[16], text[CLOD_FIGURE_NAME + 24];
-    clod_summary_tables_name(key, name, unit);
-    snprintf(text, sizeof text, unit[0] != '\0' ? "%s [%s]" : "%s", name, unit);
+    clod_summary_tables_name(which->key, name, unit);
+    const int used = snprintf(text, sizeof text, which->axes[0] != '\0' ? "%s %s" : "%s%s",
+                              name, which->axes);
+    if (unit[0] != '\0' && used > 0) {
+        snprintf(text + used, sizeof text - (size_t)used, " [%s]", unit);
+    }
     clod_html_cell(out, "th", text);
 }
 
@@ -241,9 +329,9 @@ static void put_columns(FILE *out, const layout *self)
     fputs("</tr></thead>\n<tbody>", out);
     for (size_t k = 0; k < self->keys; k++) {
         fputs("<tr>", out);
-        put_key(out, self->key[k]);
+        put_key(out, &self->key[k]);
         for (size_t i = 0; i < self->items; i++) {
-            put_cell(out, self->item[i], self->key[k]);
+            put_cell(out, self->item[i], &self->key[k]);
         }
         fputs("</tr>\n", out);
     }
@@ -253,14 +341,14 @@ static void put_columns(FILE *out, const layout *self)
 static void put_rows(FILE *out, const layout *self)
 {
     for (size_t k = 0; k < self->keys; k++) {
-        put_key(out, self->key[k]);
+        put_key(out, &self->key[k]);
     }
     fputs("</tr></thead>\n<tbody>", out);
     for (size_t i = 0; i < self->items; i++) {
         fputs("<tr>", out);
         clod_html_cell(out, "th", self->head[i]);
         for (size_t k = 0; k < self->keys; k++) {
-            put_cell(out, self->item[i], self->key[k]);
+            put_cell(out, self->item[i], &self->key[k]);
         }
         fputs("</tr>\n", out);
     }

@@ -102,9 +102,6 @@ bool clod_run_pages_uniaxial(clod_sheet *sheet, const clod_run_files *run, const
     put_flow_function(sheet, strengths);
     const bool good = put_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    if (!good || !clod_field_slices_put(sheet, run, status)) {
-        return false;
-    }
-    clod_part_tables_put(sheet, run);
-    return true;
+    return good && clod_field_slices_put(sheet, run, status) &&
+           clod_part_tables_put(sheet, run, status);
 }

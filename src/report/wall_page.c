@@ -227,11 +227,8 @@ bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json
     clod_sheet_columns(sheet, true);
     const bool good = put_curves(sheet, run, status);
     clod_sheet_columns(sheet, false);
-    if (!good || !clod_field_slices_put(sheet, run, status)) {
-        return false;
-    }
-    clod_part_tables_put(sheet, run);
-    return true;
+    return good && clod_field_slices_put(sheet, run, status) &&
+           clod_part_tables_put(sheet, run, status);
 }
 
 // ---- laboratory

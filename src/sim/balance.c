@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "analysis/prose.h"
 #include "base/json.h"
 #include "setup/grains.h"
 #include "sim/exits.h"
@@ -187,7 +188,7 @@ static void put_line(FILE *out, const char *kind, const char *name, int64_t grai
     snprintf(text, sizeof text, "%s%s", kind, name);
     fprintf(out, "    %-19s %12" PRId64 " %14.6g", text, grains, mass);
     if (flow != NULL && !isnan(flow[0])) {
-        fprintf(out, " %12.4g +- %.2g", flow[0], isnan(flow[1]) ? 0.0 : flow[1]);
+        fprintf(out, " %12.4g%s", flow[0], clod_prose_deviation(text, flow[0], flow[1]));
     }
     fprintf(out, "\n");
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "analysis/prose.h"
 #include "base/json.h"
 #include "sim/belt_work.h"
 #include "sim/outputs.h"
@@ -257,11 +258,13 @@ static void belts_report(FILE *out, const void *memory, const clod_free_moment *
         spread(mine->work, mine->time, power);
         spread(mine->work, mine->travel, pull);
         if (!isnan(power[0])) {
+            char text[2][32];
             fprintf(
                 out,
-                "  belt %-16s power %.4g +- %.2g W, pull of the load %.4g +- %.2g N, +- of ten blocks\n",
-                now->from->walls[wall_of(now->from, k)].name, power[0], power[1], pull[0],
-                pull[1]);
+                "  belt %-16s power %.4g%s W, pull of the load %.4g%s N, +- of ten blocks\n",
+                now->from->walls[wall_of(now->from, k)].name, power[0],
+                clod_prose_deviation(text[0], power[0], power[1]), pull[0],
+                clod_prose_deviation(text[1], pull[0], pull[1]));
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "analysis/prose.h"
 #include "base/json.h"
 #include "sim/fields.h"
 
@@ -69,11 +70,9 @@ static void report_mean(FILE *out, const char *name, const means *self)
         fprintf(out, "velocity (%.4g, %.4g, %.4g) m/s, ", v[0], v[1], v[2]);
     }
     const int pressure = CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_PRESSURE].first;
-    fprintf(out, "pressure %.4g", mean[pressure]);
-    if (!isnan(self->deviation[pressure])) { // of two blocks at least
-        fprintf(out, " +- %.2g", self->deviation[pressure]);
-    }
-    fputs(" Pa\n", out);
+    char text[32];
+    fprintf(out, "pressure %.4g%s Pa\n", mean[pressure],
+            clod_prose_deviation(text, mean[pressure], self->deviation[pressure]));
 }
 
 /** Numbers of one value, an array where it has several. */

@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "analysis/prose.h"
 #include "base/json.h"
 #include "base/plural.h"
 #include "base/vec3.h"
@@ -135,7 +136,9 @@ void clod_gauges_plane_report(FILE *out, const clod_gauges *self, const clod_fre
             count.forward, grains[CLOD_PASSED_BACK],
             clod_plural((double)grains[CLOD_PASSED_BACK]), count.back);
     if (!isnan(flow[0])) {
-        fprintf(out, "; flow %.4g +- %.2g kg/s", flow[0], isnan(flow[1]) ? 0.0 : flow[1]);
+        char text[32];
+        fprintf(out, "; flow %.4g%s kg/s", flow[0],
+                clod_prose_deviation(text, flow[0], flow[1]));
     }
     fputc('\n', out);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "analysis/prose.h"
 #include "base/json.h"
 #include "base/plural.h"
 #include "sim/gauges_plane.h"
@@ -46,9 +47,9 @@ static means means_of(const clod_gauge *gauge, const clod_gauge_memory *memory)
 /** Text of a value with its deviation: "2.5 +- 0.1 m/s". */
 static const char *text_of(const means *self, int value, char *text, size_t size)
 {
-    const double deviation = self->deviation[value];
-    snprintf(text, size, "%.4g +- %.2g%s%s", self->mean[value],
-             isnan(deviation) ? 0.0 : deviation,
+    char spread[32];
+    snprintf(text, size, "%.4g%s%s%s", self->mean[value],
+             clod_prose_deviation(spread, self->mean[value], self->deviation[value]),
              CLOD_GAUGE_VALUE[value].unit[0] == '1' ? "" : " ", // "1": a pure number
              CLOD_GAUGE_VALUE[value].unit[0] == '1' ? "" : CLOD_GAUGE_VALUE[value].unit);
     return text;

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "analysis/prose.h"
 #include "base/cell_count.h"
 #include "base/json.h"
 #include "base/memory.h"
@@ -49,11 +50,10 @@ void clod_mixing_mean_write(FILE *out, const clod_mixing_mean *self, double scal
     clod_mixing_mean_of(self, &mean, &deviation);
     if (isnan(mean)) {
         fputs("none in the steady time", out);
-    } else if (isnan(deviation)) { // of one block
-        fprintf(out, "%.4g%s in the steady time", mean * scale, unit);
     } else {
-        fprintf(out, "%.4g +- %.2g%s in the steady time", mean * scale, deviation * scale,
-                unit);
+        char text[32];
+        fprintf(out, "%.4g%s%s in the steady time", mean * scale,
+                clod_prose_deviation(text, mean * scale, deviation * scale), unit);
     }
 }
 

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "analysis/prose.h"
 #include "base/json.h"
 #include "measure/repose.h"
 #include "setup/domain.h"
@@ -91,8 +92,9 @@ static void repose_report(FILE *out, const void *memory, const clod_free_moment 
             fprintf(out, "none at the end (%" PRId64 " strips of the flank, 3 are needed), ",
                     of->strips);
         } else {
-            fprintf(out, "%.4g +- %.2g deg at the end, ", of->angle * DEGREE,
-                    of->error * DEGREE);
+            char text[32];
+            fprintf(out, "%.4g%s deg at the end, ", of->angle * DEGREE,
+                    clod_prose_deviation(text, of->angle * DEGREE, of->error * DEGREE));
         }
         clod_mixing_mean_write(out, &self[k].mean, DEGREE, " deg");
         if (!isnan(of->height)) {

@@ -162,6 +162,15 @@ class PartMeasures(clod.Case):
             for (whole, text), part in zip(cells, self.parts.values()):
                 self.assertAlmostEqual(float(whole.split()[0]), number(part), delta=1e-6 * abs(number(part)))
                 self.assertIn("±", text)
+        rows = {row[0][1]: row[1:] for row in tables["Field whole"][""]}
+        for key, name, unit in (("velocity_m_per_s", "velocity", "m/s"), ("contact_stress_Pa", "contact stress", "Pa"),
+                                ("kinetic_stress_Pa", "kinetic stress", "Pa"), ("wall_force_N_per_m3", "wall force", "N/m3")):
+            several = len(self.parts["preshear"]["fields"]["whole"][key]["mean"])
+            for c, axes in enumerate([a + b for a in "xyz" for b in "xyz"] if several == 9 else "xyz"):
+                for (whole, _), part in zip(rows[f"{name} {axes} [{unit}]"], self.parts.values()):
+                    told = part["fields"]["whole"][key]
+                    numbers = [told["mean"][c]] + [told["deviation"][c]] * (told["deviation"][c] > 0)
+                    self.assertEqual([float(word) for word in whole.removesuffix(" " + unit).split(" &plusmn; ")], numbers)
 
     def test_grids_and_mixing(self):
         mass = json.loads(clod.run("check", self.path("case.yaml"), "--json").stdout)["mass_kg"]

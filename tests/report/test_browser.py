@@ -161,10 +161,12 @@ class Browser(BrowserCase):
         shared = lambda *names: [os.path.join(self.shared, name) for name in names]
         for name in ("packing0", "packing1"):  # few runs: columns
             pages.wall(self.path(f"wall-{name}"))
+        for name in ("uniaxial", "free"):
+            shutil.copytree(os.path.join(self.shared, name), self.path(name))
         clod.run("compare", *shared("packing0", "packing1", "packing2"), "-o", self.path("few.html"))
-        clod.run("compare", *shared("uniaxial", "uniaxial"), "-o", self.path("strengths.html"))
+        clod.run("compare", *shared("uniaxial"), self.path("uniaxial"), "-o", self.path("strengths.html"))
         clod.run("compare", *map(self.path, ("wall-packing0", "wall-packing1")), "-o", self.path("walls.html"))
-        clod.run("compare", *shared("free", "free"), "-o", self.path("frees.html"))
+        clod.run("compare", *shared("free"), self.path("free"), "-o", self.path("frees.html"))
         with open(self.path("lab.csv"), "w") as file:
             file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
                        "10,7.2,3,3.25,1650\n10,7.2,5,4.61,1650\n10,7.2,7.5,5.75,1650\n")

@@ -4,6 +4,7 @@ import html
 import math
 import os
 import re
+import shutil
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -53,7 +54,7 @@ class Compare(pages.PageCase):
         self.assertAlmostEqual(float(whole[0].split()[2]), 100.0 / math.sqrt(3.0), places=9)
         note = "".join(page.words)
         self.assertIn("of 3 runs whose cases differ in nothing but seed and title: seed1, seed2, seed3.", note)
-        self.assertIn("have no part in means", note)  # "again"
+        self.assertIn("again has the case of seed2 and a seed of it: they have a packing in common", note)
 
     def preshear(self, name, seed, way, rate, error):
         return {"part": name, "seed": seed, "steady": True, "displacement_m": way, "shear_stress_rate_Pa_per_m": rate,
@@ -71,8 +72,38 @@ class Compare(pages.PageCase):
         slope = page.row("slope of the shear stress there [kPa/mm]")
         self.assertEqual(slope[2:], ["-0.160 ± 0.040", "0.20 ± 0.10", "", "0.02 ± 0.18 (s 0.25)"])
         self.shear("none", 6, density="2700")
-        page = self.compare("none", "none")
+        self.shear("nothing", 7, density="2700")
+        page = self.compare("none", "nothing")
         self.assertNotIn("way of preshear", "".join(page.words))
+
+    def test_a_case_and_a_copy_of_it(self):
+        """One packing, and not two, unless they began from other grains."""
+        same = "are 2 runs of one packing"
+        for name, origins in (("free", (None, None)), ("moved", ("/runs/a", "/runs/a")), ("other", ("/runs/a", "/runs/b")), ("either", ("/runs/a", None))):
+            for number, origin in enumerate(origins):
+                pages.free_run(self.path(f"{name}{number}"), **({} if origin is None else {"from": origin}))
+            note = "".join(self.compare(f"{name}0", f"{name}1").words)
+            equal = origins[0] == origins[1]
+            self.assertEqual(same in note, equal, name)
+            self.assertEqual("began from other grains" in note, not equal, name)
+            self.assertEqual(f"{name}1 has the case of {name}0 and a seed of it: they have a packing in common" in note, equal, name)
+            self.assertNotIn("mean, n", note)
+        self.shear("one", 1)
+        shutil.copytree(self.path("one"), self.path("copy"))
+        self.shear("another", 2)
+        self.assertIn(same, "".join(self.compare("one", "copy").words))
+        note = "".join(self.compare("one", "copy", "another").words)
+        self.assertNotIn("of one packing", note)  # not all of them
+        self.assertIn("copy has the case of one and a seed of it", note)
+        self.assertNotIn("a seed of it", "".join(self.compare("one", "another").words))
+
+    def test_a_run_named_twice(self):
+        pages.free_run(self.path("run"))
+        pages.free_run(self.path("last"))
+        os.symlink("run", self.path("link"))
+        for again in ("run", "./run/", self.path("run"), "link"):
+            done = self.made("compare", "run", "last", again, code=2)
+            self.assertIn(f"run and {again} are the same folder: name each run once.", done.stderr)
 
     def test_packings_in_common_are_no_repeats(self):
         """With two seeds a test has the packings seed and seed + 1: those of 1 and 2 have one in common, those of 1 and 3 none."""
@@ -81,8 +112,8 @@ class Compare(pages.PageCase):
             self.shear(f"seed{seed}", seed, 104.0 * seed, parts=parts)
         page = self.compare("seed1", "seed2", "seed3")
         self.assertEqual(self.column(page, "mean, n = 2")["cohesion [kPa]"], "1.58 ± 0.10 (s 0.15)")  # 1.479 and 1.687
-        self.assertIn("Runs that share a packing (a seed) with an earlier one", "".join(page.words))
-        self.assertNotIn("have no part in means", "".join(self.compare("seed1", "seed3").words))
+        self.assertIn("seed2 has the case of seed1 and a seed of it: they have a packing in common", "".join(page.words))
+        self.assertNotIn("no part in means", "".join(self.compare("seed1", "seed3").words))
 
     def test_many_runs_are_rows(self):
         """The mean of nine is the last row; cohesions of 1.375 to 2.175 kPa: deviation 0.1 sqrt(60/8), error a third of it."""
@@ -232,16 +263,14 @@ class Compare(pages.PageCase):
         for folders, names in ((["a/run", "b/run"], ["a/run", "b/run"]),
                                (["a/run", "c/a/run", "b/last"], ["a/run", "c/a/run", "last"]),
                                (["run", "a/run/"], ["run", "a/run"]),
-                               (["b//run", self.path("a/run")], ["b//run", "a/run"]),
-                               (["a/run", "a/run"], ["a/run", "a/run"])):
+                               (["b//run", self.path("a/run")], ["b//run", "a/run"])):
             for number, folder in enumerate(folders):
                 pages.free_run(self.path(folder), density=str(2500 + number))
             self.made("compare", *folders)
             page = self.page("compare.html")
             self.assertEqual([curve["name"] for curve in page.figures["kinetic-energy"]["curves"]], names)
             self.assertEqual(page.tables[0][0][1:], names)
-            if folders[0] != folders[1]:
-                self.assertEqual(page.row("key")[1:], names)
+            self.assertEqual(page.row("key")[1:], names)
 
     def test_wall_friction_tests_side_by_side(self):
         pages.wall(self.path("one"))

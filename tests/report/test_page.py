@@ -143,6 +143,34 @@ class Report(pages.PageCase):
         self.assertFalse([row for table in page.tables for row in table if row[0] == "steps"])
         self.assertIn('<b title="11677.46 &plusmn; 59.87 Pa">11.677 <small>&plusmn; 0.060 kPa</small></b>', page.text)
 
+    def test_fields_of_a_wall_friction_test(self):
+        """Means over regions: components as rows, along the axes that the case asks for, and their curves over the way of the plate."""
+        means = lambda *numbers: {"mean": list(numbers), "deviation": [0.1 * number for number in numbers]}
+        fields = {"low": {"phase": "shear", "velocity_m_per_s": means(0.5, 0.25, 2)},
+                  "mid": {"phase": "shear", "contact_stress_Pa": means(10, 20, 30, 40, 50, 60, 70, 80, 90)}}
+        parts = [{**pages.WALL["parts"][0], "fields": {name: {**field, "phase": "fill"} for name, field in fields.items()}},
+                 {**pages.WALL["parts"][1], "fields": fields}]
+        pages.wall(self.path("run"), parts=parts)
+        head, *rows = pages.SLIP.splitlines()
+        columns = "field_low.velocity_x [m/s],field_mid.contact_stress_tz [Pa],field_low.density [kg/m3],field_mid.density [kg/m3]"
+        text = pages.text
+        pages.write(self.path("run"), wall__csv="\n".join([f"{head},{columns}"] + [
+            f"{row},{text(0.5 * k)},{text(60 + k)},{text(1000 + k)},{text(900 - k)}" for k, row in enumerate(rows)]) + "\n")
+        with open(self.path("run/case-complete.yaml"), "a") as file:
+            file.write("fields:\n  low:\n    interval: 0.01 s\n  mid:\n    components: cylindrical\n")
+        self.made("report", "run")
+        page = self.page("run/report.html")
+        self.assertEqual(page.row("velocity y [m/s]")[1:], ["0.250 ± 0.025"] * 2)
+        self.assertEqual(page.row("contact stress tz [Pa]")[1:], ["60.0 ± 6.0"] * 2)
+        self.assertNotIn("contact stress yz [Pa]", page.words)
+        self.assertIn("More curves: fields in wall", page.words)
+        series = {name: column[2:] for name, column in pages.cells(self.path("run"), "wall.csv").items()}  # till then the plate stands
+        for name, number, column in (("velocity-x", 0, "field_low.velocity_x"), ("contact-stress-tz", 0, "field_mid.contact_stress_tz"),
+                                     ("density", 0, "field_low.density"), ("density", 1, "field_mid.density")):
+            self.assert_curve(page.figures[name], number, series, "displacement", column)
+        density = page.figures["density"]
+        self.assertEqual((density["title"], [curve["name"] for curve in density["curves"]]), ("Density: fields", ["field low", "field mid"]))
+
     def test_wall_friction(self):
         """Laboratory points, here on tau = 0.25 sigma + 0.5 kPa, stand beside those of the run."""
         pages.wall(self.path("run"))
