@@ -15,8 +15,6 @@
 #include "base/text.h"
 #include "clod/bulk_density.h"
 
-#define RHO_LEAST 10.0   // kg/m3: foam beads, the lightest solid, pour with more
-#define RHO_MOST 15000.0 // kg/m3: powders of tungsten and platinum are lighter
 #define KILO 1000.0
 #define FALL_ERRORS 2.0 ///< standard errors below 0 that are no chance
 
@@ -37,13 +35,19 @@ static const clod_csv_column COLUMNS[] = {
     {.names = {"rho_b_error"}, .unit = "kg/m3", POINT(rho_b_error)},
 };
 
+bool clod_bulk_density_is_usual(double rho)
+{
+    return rho >= CLOD_BULK_DENSITY_LEAST && rho <= CLOD_BULK_DENSITY_MOST;
+}
+
 bool clod_bulk_density_check(const clod_csv *self, const char *column, double rho)
 {
-    return (rho >= RHO_LEAST && rho <= RHO_MOST) ||
+    return clod_bulk_density_is_usual(rho) ||
            clod_status_fail(self->status, CLOD_USAGE,
                             "%s:%zu: column %s: %.6g kg/m3 is outside %g to %g kg/m3; is its "
                             "unit another one, [g/cm3]?",
-                            self->path, self->line, column, rho, RHO_LEAST, RHO_MOST);
+                            self->path, self->line, column, rho, CLOD_BULK_DENSITY_LEAST,
+                            CLOD_BULK_DENSITY_MOST);
 }
 
 static bool check_row(const clod_csv *self, const void *row)

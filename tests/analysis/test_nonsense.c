@@ -48,6 +48,50 @@ static void bulk_density_in_another_unit(void **state)
     }
 }
 
+// 1690/1600 = 1.056 is a slip, 1670/1600 = 1.044 is not; one point does not tell its density.
+static void bulk_densities_of_one_preshear(void **state)
+{
+    (void)state;
+    clod_locus_point points[4];
+    good_points(points);
+    for (size_t i = 0; i < 3; i++) {
+        points[i].rho_b = 1600.0;
+    }
+    expect_none(points);
+    points[3].rho_b = 1670.0;
+    expect_none(points);
+    points[3].rho_b = 1690.0;
+    expect(points, "Bulk densities from 1600 to 1690 kg/m3 are of one preshear stress");
+    points[0].rho_b = 1510.0;
+    expect(points, "Bulk densities from 1510 to 1690 kg/m3 are of one preshear stress");
+}
+
+// Packings differ by more than the rows of one: 1750/1600 = 1.094 may be, 1770/1600 = 1.106 not.
+static void bulk_densities_of_seeds(void **state)
+{
+    (void)state;
+    static clod_status status;
+    clod_locus loci[2], all;
+    clod_locus_point points[4];
+    const double second[] = {1750.0, 1770.0};
+    for (size_t k = 0; k < 2; k++) {
+        for (size_t s = 0; s < 2; s++) {
+            good_points(points);
+            for (size_t i = 0; i < 4; i++) {
+                points[i].rho_b = s == 0 ? 1600.0 : second[k];
+            }
+            loci[s] = evaluate(points, 4);
+        }
+        assert_true(clod_locus_combine(loci, 2, &all, &status));
+        assert_int_equal(all.warning_count, k);
+        assert_true(k == 0 || has_warning(&all, "Bulk densities of the seeds are from 1600 to "
+                                                "1770 kg/m3, more than 10 % apart"));
+        clod_locus_fini(&all);
+        clod_locus_fini(&loci[0]);
+        clod_locus_fini(&loci[1]);
+    }
+}
+
 // tau_pre in Pa read as kPa: atan(7600/10) = 89.92 deg.
 static void preshear_in_another_unit(void **state)
 {
@@ -257,6 +301,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bulk_density_in_another_unit),
+        cmocka_unit_test(bulk_densities_of_one_preshear),
+        cmocka_unit_test(bulk_densities_of_seeds),
         cmocka_unit_test(preshear_in_another_unit),
         cmocka_unit_test(stated_error_as_large_as_its_value),
         cmocka_unit_test(error_of_an_angle_above_90_deg_is_none),

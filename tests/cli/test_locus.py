@@ -12,8 +12,8 @@ import clod
 
 HEAD = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
 GOOD = HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1650\n10,7.6,7.5,6.25,1650\n"
-# a bulk density in g/cm3, and a point above preshear
-WRONG = HEAD + "10,7.6,3,3.1,1.65\n10,7.6,5,4.5,1.65\n10,7.6,12,9.4,1.65\n"
+# a slip of a bulk density, and a point above preshear
+WRONG = HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1560\n10,7.6,12,9.4,1650\n"
 
 
 class Locus(clod.Case):
@@ -37,6 +37,17 @@ class Locus(clod.Case):
             self.assertGreater(len(names), 7)
             for name in names:
                 self.assertIn(name, told)
+
+    def test_densities_of_one_preshear(self):
+        """A slip of a factor of 10 is refused, in every form; what a laboratory may see is not."""
+        for form in ([], ["--json"], ["--csv"]):
+            done = self.locus("-", *form, input=GOOD.replace("6.25,1650", "6.25,165"), code=2)
+            self.assertEqual(done.stdout, "")
+            self.assertIn("standard input:4: column rho_b: 165 kg/m3, but line 2 has 1650 kg/m3 at the same preshear stress",
+                          done.stderr)
+        self.assertIn("standard input:2: column rho_b: 1.65 kg/m3 is outside 10 to 15000 kg/m3",
+                      self.locus("-", input=GOOD.replace("1650", "1.65"), code=2).stderr)
+        self.assertEqual(self.locus("-", "--csv", input=GOOD.replace("6.25,1650", "6.25,1600")).stderr, "")
 
     def test_standard_input_and_output(self):
         self.write("points.csv", GOOD)
@@ -65,7 +76,7 @@ class Locus(clod.Case):
         self.assertGreaterEqual(len(wanted), 2)
         self.assertEqual(done.stderr.splitlines(),
                          [f"clod locus: preshear at 10.000 kPa: {text}" for text in wanted])
-        for text in ("A bulk density of 1.65 kg/m3 is outside", "is above the preshear stress"):
+        for text in ("Bulk densities from 1560 to 1650 kg/m3", "is above the preshear stress"):
             self.assertIn(text, done.stderr)
         self.write("points.csv", GOOD)
         self.assertEqual(self.locus("points.csv", "--csv").stderr, "")
