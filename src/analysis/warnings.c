@@ -88,21 +88,37 @@ static void check_line(clod_locus *locus, size_t count)
     }
 }
 
-static void check_error(clod_locus *locus)
+/** Whether what the points scatter about their line makes most of the error [deg] of its angle. */
+static bool scatter(const clod_warnings_line *line, double error)
 {
-    const double error = locus->phi_lin.error * DEGREES;
+    const double slope = line->fit.slope;
+    return line->count > 2 && clod_fit_slope_error(&line->fit, line->count) * DEGREES >
+                                  sqrt(0.5) * error * (1.0 + slope * slope);
+}
+
+/** Points off the line, or on it with errors that leave its angle open. */
+static void check_error(clod_locus *locus, const clod_locus_point *points,
+                        const clod_warnings_line *line)
+{
+    const double error = locus->phi_lin.error * DEGREES; // NAN: too large to be told
+    const bool off = locus->r_squared < R2_LEAST;
     const bool wide = locus->errors != CLOD_LOCUS_ERRORS_NONE && !(error <= PHI_ERROR_MOST);
-    if (wide || locus->r_squared < R2_LEAST) {
+    if (off || (wide && !clod_warnings_points_unmeasured(points, line->count))) {
         char bar[32] = "";
         if (isfinite(error)) {
             snprintf(bar, sizeof bar, " +- %.1f", error);
+        } else if (wide) {
+            snprintf(bar, sizeof bar, " +- more than 90");
         }
         clod_warnings_add(
             locus,
-            "phi_lin = %.1f%s deg, r2 = %.3f: the points do not lie on a line (at most "
+            "phi_lin = %.1f%s deg, r2 = %.3f: %s (at most "
             "+- %.0f deg, r2 at least %.2f); c, sigma_c and ffc are of little use. "
             "Add points or repeats.",
-            locus->phi_lin.value * DEGREES, bar, locus->r_squared, PHI_ERROR_MOST, R2_LEAST);
+            locus->phi_lin.value * DEGREES, bar, locus->r_squared,
+            off || scatter(line, error) ? "the points do not lie on a line"
+                                        : "the errors stated leave the angle open",
+            PHI_ERROR_MOST, R2_LEAST);
     }
 }
 
@@ -332,7 +348,7 @@ void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size
                          const clod_warnings_line *line)
 {
     check_line(locus, count);
-    check_error(locus);
+    check_error(locus, points, line);
     clod_warnings_points_check(locus, points, count);
     check_fall(locus, points, line);
     check_preshear(locus, points, count);

@@ -111,6 +111,18 @@ static void check_stated(clod_locus *locus, const clod_locus_point *points, size
     }
 }
 
+bool clod_warnings_points_unmeasured(const clod_locus_point *points, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const clod_locus_point *p = &points[i];
+        if ((p->tau_s_error > 0.0 && p->tau_s_error >= p->tau_s) ||
+            p->tau_p_error >= p->tau_p) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void clod_warnings_points_check(clod_locus *locus, const clod_locus_point *points, size_t count)
 {
     check_preshear(locus);

@@ -132,7 +132,40 @@ static void error_of_an_angle_above_90_deg_is_none(void **state)
     clod_locus locus = evaluate(points, 4);
     assert_true(isnan(locus.phi_lin.error));
     assert_true(isfinite(locus.phi_sf.error) && locus.phi_sf.error < PI / 2.0);
-    assert_true(has_warning(&locus, "the points do not lie on a line"));
+    assert_false(has_warning(&locus, "the points do not lie on a line"));
+    assert_false(has_warning(&locus, "the errors stated leave the angle open"));
+    assert_true(has_warning(&locus, "nothing was measured then"));
+    clod_locus_fini(&locus);
+}
+
+/** Points on their line whose stated errors leave its angle open: half of the smallest tau_sh; and two points so close, 110 Pa, that
+ *  errors of 4 kPa turn the line by 88 deg each way, each of them. atan(0.07/0.11) = 32.5 deg. */
+static void stated_errors_leave_the_angle_open(void **state)
+{
+    (void)state;
+    clod_locus_point points[4];
+    good_points(points);
+    for (size_t i = 0; i < 4; i++) {
+        points[i].tau_s_error = 1.5e3;
+        points[i].tau_p_error = 100.0;
+    }
+    clod_locus locus = evaluate(points, 4);
+    assert_int_equal(locus.warning_count, 1);
+    assert_true(has_warning(
+        &locus, "deg, r2 = 1.000: the errors stated leave the angle open (at most"));
+    clod_locus_fini(&locus);
+    for (size_t i = 0; i < 2; i++) {
+        points[i] = (clod_locus_point){.sigma_p = 10e3,
+                                       .tau_p = 7.6e3,
+                                       .sigma_s = i == 0 ? 5e3 : 5.11e3,
+                                       .tau_s = i == 0 ? 4.5e3 : 4.57e3,
+                                       .tau_s_error = 4e3,
+                                       .tau_p_error = 100.0};
+    }
+    locus = evaluate(points, 2);
+    assert_true(has_warning(
+        &locus,
+        "phi_lin = 32.5 +- more than 90 deg, r2 = 1.000: the errors stated leave the angle open"));
     clod_locus_fini(&locus);
 }
 
@@ -306,6 +339,7 @@ int main(void)
         cmocka_unit_test(preshear_in_another_unit),
         cmocka_unit_test(stated_error_as_large_as_its_value),
         cmocka_unit_test(error_of_an_angle_above_90_deg_is_none),
+        cmocka_unit_test(stated_errors_leave_the_angle_open),
         cmocka_unit_test(normal_stresses_that_are_one),
         cmocka_unit_test(strength_that_falls_with_consolidation),
         cmocka_unit_test(strength_that_does_not_fall),
