@@ -380,8 +380,8 @@ void clod_measured_warnings(const clod_measured *self, clod_measured_sink sink, 
     for (size_t k = 0; k < self->wall.warning_count; k++) {
         sink(context, self->wall.warnings[k]);
     }
-    if (self->density.warning[0] != '\0') {
-        sink(context, self->density.warning);
+    for (size_t k = 0; k < self->density.warning_count; k++) {
+        sink(context, self->density.warnings[k]);
     }
     for (size_t g = 0; self->study != NULL && g < self->study->count; g++) {
         const clod_locus *locus = &self->study->groups[g].locus;

@@ -159,6 +159,8 @@ class Locus(clod.Case):
         self.assertIn("rho_1       1000.0", self.locus("-", input=rho).stdout)
         self.assertAlmostEqual(json.loads(self.locus("-", "--json", input=rho).stdout)
                                ["compressibility"]["value"], 0.0413926852, places=9)
+        self.assertIn("clod locus: The points do not follow the law",
+                      self.locus("-", "--csv", input="sigma_1 [kPa],rho_b [kg/m3]\n2,1000\n4,100\n8,1400\n").stderr)
         again = self.locus("-", "--csv", input=rho).stdout
         self.assertEqual(self.locus("-", input=again).stdout, self.locus("-", input=rho).stdout)
 
