@@ -392,6 +392,9 @@ void clod_measured_warnings(const clod_measured *self, clod_measured_sink sink, 
             sink(context, text);
         }
     }
+    if (self->repose.warning[0] != '\0') {
+        sink(context, self->repose.warning);
+    }
     if (self->study != NULL && self->study->warning[0] != '\0') {
         sink(context, self->study->warning);
     }

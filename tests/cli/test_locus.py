@@ -175,6 +175,8 @@ class Locus(clod.Case):
         self.assertEqual([heap["angle_of_repose_error_deg"] for heap in found["heaps"]], [None] * 3)
         again = self.locus("-", "--csv", input=heaps).stdout
         self.assertEqual(self.locus("-", input=again).stdout, told)
+        self.assertIn("clod locus: angle_of_repose is 30.00 deg with a stated standard error of 40.00 deg",
+                      self.locus("-", "--csv", input="angle_of_repose [deg],angle_of_repose_error [deg]\n30,40\n").stderr)
         self.assertIn("a table of angles of repose has no preshear; leave out --tau-pre",
                       self.locus("-", "--tau-pre", "1kPa", input=heaps, code=2).stderr)
 
