@@ -38,6 +38,22 @@ class Locus(clod.Case):
             for name in names:
                 self.assertIn(name, told)
 
+    def test_a_header_that_is_not_known(self):
+        """Kinds of table are told, each with columns that make one, where no column says which it is."""
+        for head in ("\u03c3_w [kPa],\u03c4_w [kPa]", "normal stress [kPa];shear stress [kPa]", "Probe", "10,7.6,3,3.1"):
+            said = self.locus("-", input="# laboratory\n" + head + "\n1,1\n", code=2).stderr
+            self.assertIn("standard input: none of the columns in its header says what the table is", said)
+        told = re.search(r"that it needs: (.*)\. clod locus --help", said)[1]
+        self.assertEqual([kind.split(": ")[0] for kind in told.split("; ")],
+                         ["table of shear points", "wall yield locus", "table of bulk densities", "table of angles of repose"])
+        for kind in told.split("; "):
+            head = re.sub(r" or .*", "", kind.split(": ")[1]).replace(", ", ",")
+            rows = {1: "30\n", 2: "10,30\n20,40\n", 4: "10,8,3,3\n10,8,6,5\n"}[head.count(",") + 1]
+            self.locus("-", input=head + "\n" + rows)
+        for head, words in (("sigma_p [kPa],tau_p [kPa],x", 'no column "x"'), ("Sigma_sh [kPa]", "did you mean sigma_sh?"),
+                            ("# nothing", "there is no header in it"), ("\0", "this is no text file")):
+            self.assertIn(words, self.locus("-", input=head + "\n1,1\n" * (head[0] != "#"), code=2).stderr)
+
     def test_densities_of_one_preshear(self):
         """A slip of a factor of 10 is refused, in every form; what a laboratory may see is not."""
         for form in ([], ["--json"], ["--csv"]):
