@@ -19,6 +19,8 @@ typedef struct clod_bulk_density_point {
     double rho_b_error;   ///< standard error [kg/m3]
 } clod_bulk_density_point;
 
+#define CLOD_BULK_DENSITY_WARNINGS 3
+
 /** rho_b = rho_1 (sigma_1/1 kPa)^compressibility. */
 typedef struct clod_bulk_density {
     clod_locus_value rho_1;           ///< kg/m3, at 1 kPa
@@ -26,7 +28,8 @@ typedef struct clod_bulk_density {
     double r_squared;                 ///< of the line through the logarithms
     size_t point_count;
     clod_bulk_density_point *points; ///< [point_count] owned, in ascending order of sigma_1
-    char warning[CLOD_LOCUS_WARNING_TEXT]; ///< what is not right; "": nothing
+    size_t warning_count;
+    char warnings[CLOD_BULK_DENSITY_WARNINGS][CLOD_LOCUS_WARNING_TEXT]; ///< what is not right
 } clod_bulk_density;
 
 /**
@@ -34,7 +37,7 @@ typedef struct clod_bulk_density {
  * of the points and what they scatter about it beyond, NAN with two points that state none.
  *
  * @param points  [count] two at least, with different sigma_1, all above 0
- * @param self    [out] owned content (clod_bulk_density_fini)
+ * @param self    [out] owned content (clod_bulk_density_fini); what is not right is in its warnings
  * Errors  CLOD_USAGE: a NULL, too few points; CLOD_FAILED: memory.   Threads  pure.
  * Source  Jenike, Bulletin 123 (1964).   Test  tests/analysis/test_bulk_density.c
  */

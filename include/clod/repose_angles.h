@@ -21,12 +21,14 @@ typedef struct clod_repose_heap {
 typedef struct clod_repose_angles {
     clod_locus_value mean; ///< rad; scatter: standard deviation of the heaps
     size_t heap_count;
-    clod_repose_heap *heaps; ///< [heap_count] owned, in the order given
+    clod_repose_heap *heaps;               ///< [heap_count] owned, in the order given
+    char warning[CLOD_LOCUS_WARNING_TEXT]; ///< what is not right; "": nothing
 } clod_repose_angles;
 
 /**
- * Mean of the angles. Its standard error is the larger of what their scatter and what the stated errors
- * make, NAN where neither is known.
+ * Mean of the angles, all with the same weight. Its standard error is the larger of what their scatter and
+ * what the stated errors make; the stated ones count where every heap has one. NAN where neither is known: of
+ * one heap, or of heaps with one and the same (rounded) angle, that state none.
  *
  * @param heaps  [count] one at least
  * @param self   [out] owned content (clod_repose_angles_fini)
@@ -40,9 +42,11 @@ bool clod_repose_angles_evaluate(const clod_repose_heap *heaps, size_t count,
 void clod_repose_angles_fini(clod_repose_angles *self);
 
 /**
- * Read a table from a CSV file with units in its header.
+ * Read a table from the text of a CSV file with units in its header: one row per heap, angles of 5 to 90 deg.
  *
- * @param path   the file: columns angle_of_repose and, optional, angle_of_repose_error
+ * @param path   name used in messages
+ * @param text   [length] columns angle_of_repose and, optional, angle_of_repose_error; seed and heap, numbers of
+ *               the heaps, are skipped
  * @param heaps  [out] owned (clod_locus_free)
  * Errors  CLOD_USAGE with file:line, column, value and what to do.   Threads  safe.
  * Test    tests/analysis/test_repose_angles.c

@@ -15,10 +15,10 @@
 #include "base/text.h"
 #include "clod/bulk_density.h"
 
-#define RHO_LEAST 10.0   // kg/m3: foam beads, the lightest solid, pour with more
-#define RHO_MOST 15000.0 // kg/m3: powders of tungsten and platinum are lighter
 #define KILO 1000.0
-#define FALL_ERRORS 2.0 ///< standard errors below 0 that are no chance
+#define CHANCE 2.0    ///< standard errors that may be chance
+#define BETA_MOST 0.5 ///< at four times the stress twice the density
+#define OFF 0.05      ///< of a density from the law, relative; docs/theory/yield-locus.md
 
 typedef clod_bulk_density_point point;
 
@@ -37,13 +37,19 @@ static const clod_csv_column COLUMNS[] = {
     {.names = {"rho_b_error"}, .unit = "kg/m3", POINT(rho_b_error)},
 };
 
+bool clod_bulk_density_is_usual(double rho)
+{
+    return rho >= CLOD_BULK_DENSITY_LEAST && rho <= CLOD_BULK_DENSITY_MOST;
+}
+
 bool clod_bulk_density_check(const clod_csv *self, const char *column, double rho)
 {
-    return (rho >= RHO_LEAST && rho <= RHO_MOST) ||
+    return clod_bulk_density_is_usual(rho) ||
            clod_status_fail(self->status, CLOD_USAGE,
                             "%s:%zu: column %s: %.6g kg/m3 is outside %g to %g kg/m3; is its "
                             "unit another one, [g/cm3]?",
-                            self->path, self->line, column, rho, RHO_LEAST, RHO_MOST);
+                            self->path, self->line, column, rho, CLOD_BULK_DENSITY_LEAST,
+                            CLOD_BULK_DENSITY_MOST);
 }
 
 static bool check_row(const clod_csv *self, const void *row)
@@ -93,15 +99,74 @@ static double stated(const point *p, double slope)
     return of_density * of_density + of_stress * of_stress;
 }
 
-/** A law that no solid follows, or only just. */
-static void look(clod_bulk_density *self)
+/** The power law at a stress [kg/m3]. */
+static double law(const clod_bulk_density *self, double sigma_1)
 {
-    if (self->compressibility.value < 0.0 &&
-        !(self->compressibility.value > -FALL_ERRORS * self->compressibility.error)) {
-        snprintf(self->warning, sizeof self->warning,
+    return self->rho_1.value * pow(sigma_1 / KILO, self->compressibility.value);
+}
+
+/** Memory for a warning; each of the looks below gives one at most. */
+static char *warning(clod_bulk_density *self)
+{
+    return self->warnings[self->warning_count++];
+}
+
+/** An exponent that no solid has. */
+static void look_at_exponent(clod_bulk_density *self)
+{
+    const clod_locus_value *beta = &self->compressibility;
+    if (beta->value < 0.0 && !(beta->value > -CHANCE * beta->error)) {
+        snprintf(warning(self), CLOD_LOCUS_WARNING_TEXT,
                  "The bulk density falls while the stress rises (beta = %.4f): no solid is "
                  "compressed to less. Look at the columns and at the order of the rows.",
-                 self->compressibility.value);
+                 beta->value);
+    } else if (beta->value > BETA_MOST) {
+        snprintf(
+            warning(self), CLOD_LOCUS_WARNING_TEXT,
+            "beta = %.4f: no solid is compressed as much by a stress (at most %g). Look at "
+            "the columns, at their units and for a slip.",
+            beta->value, BETA_MOST);
+    }
+}
+
+/** The point furthest off the law, beyond what it states. r2 does not tell: it is low for every solid that is hardly compressed. */
+static void look_at_scatter(clod_bulk_density *self)
+{
+    const point *worst = NULL;
+    double most = OFF;
+    for (size_t i = 0; i < self->point_count; i++) {
+        const point *p = &self->points[i];
+        const double off = fabs(log(p->rho_b / law(self, p->sigma_1)));
+        if (off > most && off > CHANCE * sqrt(stated(p, self->compressibility.value))) {
+            most = off;
+            worst = p;
+        }
+    }
+    if (worst != NULL) {
+        snprintf(
+            warning(self), CLOD_LOCUS_WARNING_TEXT,
+            "The points do not follow the law (r2 = %.3f): %.6g kg/m3 at %.3f kPa, where the "
+            "law has %.1f; more than %.0f %% apart. Look at the points for a slip, or give "
+            "only those near the stresses at hand.",
+            self->r_squared, worst->rho_b, worst->sigma_1 / KILO, law(self, worst->sigma_1),
+            100.0 * OFF);
+    }
+}
+
+static void look_at_stated(clod_bulk_density *self)
+{
+    for (size_t i = 0; i < self->point_count; i++) {
+        const point *p = &self->points[i];
+        if (p->rho_b_error >= p->rho_b || p->sigma_1_error >= p->sigma_1) {
+            const bool rho = p->rho_b_error >= p->rho_b;
+            snprintf(warning(self), CLOD_LOCUS_WARNING_TEXT,
+                     "%s is %.3f %s with a stated standard error of %.3f %s: nothing was "
+                     "measured then; check the column of errors and its unit.",
+                     rho ? "rho_b" : "sigma_1", rho ? p->rho_b : p->sigma_1 / KILO,
+                     rho ? "kg/m3" : "kPa", rho ? p->rho_b_error : p->sigma_1_error / KILO,
+                     rho ? "kg/m3" : "kPa");
+            return;
+        }
     }
 }
 
@@ -124,7 +189,9 @@ static void fit(clod_bulk_density *self, double *work)
     self->rho_1 = (clod_locus_value){rho_1, rho_1 * error.intercept, (double)NAN};
     self->compressibility = (clod_locus_value){line.slope, error.slope, (double)NAN};
     self->r_squared = line.r_squared;
-    look(self);
+    look_at_exponent(self);
+    look_at_scatter(self);
+    look_at_stated(self);
 }
 
 bool clod_bulk_density_evaluate(const clod_bulk_density_point *points, size_t count,
@@ -171,12 +238,6 @@ void clod_bulk_density_fini(clod_bulk_density *self)
 
 // ---- writing
 
-/** The power law at a stress [kg/m3]. */
-static double law(const clod_bulk_density *self, double sigma_1)
-{
-    return self->rho_1.value * pow(sigma_1 / KILO, self->compressibility.value);
-}
-
 char *clod_bulk_density_table(const clod_bulk_density *self)
 {
     CLOD_NEED(self);
@@ -204,9 +265,9 @@ char *clod_bulk_density_table(const clod_bulk_density *self)
         fprintf(out, "  %10.3f%10.1f%10.1f\n", p->sigma_1 / KILO, p->rho_b,
                 law(self, p->sigma_1));
     }
-    if (self->warning[0] != '\0') {
-        fputs("\n  Warnings\n", out);
-        clod_prose_warning(out, self->warning);
+    fputs(self->warning_count > 0 ? "\n  Warnings\n" : "", out);
+    for (size_t i = 0; i < self->warning_count; i++) {
+        clod_prose_warning(out, self->warnings[i]);
     }
     return clod_text_close(&text);
 }
@@ -226,8 +287,8 @@ char *clod_bulk_density_json(const clod_bulk_density *self)
                                         "law_kg_m3", law(self, p->sigma_1)));
     }
     json_t *warnings = json_array();
-    if (self->warning[0] != '\0') {
-        json_array_append_new(warnings, json_string(self->warning));
+    for (size_t i = 0; i < self->warning_count; i++) {
+        json_array_append_new(warnings, json_string(self->warnings[i]));
     }
     json_t *all =
         json_pack("{s:{s:f, s:o}, s:{s:f, s:o}, s:f, s:o, s:o}", "rho_1_kg_m3", "value",

@@ -1,10 +1,17 @@
 #pragma once
 /**
  * @file bulk_density.h
- * What all readers of bulk densities ask of one.
+ * What is asked of a bulk density.
  */
 
 #include "analysis/csv.h"
+
+#define CLOD_BULK_DENSITY_LEAST                                                                \
+    10.0 ///< kg/m3: aerogels and foam beads, the lightest, pour with more
+#define CLOD_BULK_DENSITY_MOST 15000.0 ///< kg/m3: powders of tungsten and platinum are lighter
+
+/** Whether a solid can pour with such a density [kg/m3]. Threads  pure. */
+bool clod_bulk_density_is_usual(double rho);
 
 /**
  * Whether a solid can pour with such a density; else it is the unit.

@@ -8,6 +8,7 @@
 #include "analysis/preshear.h"
 #include "analysis/spread.h"
 #include "analysis/warnings.h"
+#include "analysis/warnings_points.h"
 #include "base/given.h"
 #include "base/memory.h"
 
@@ -321,6 +322,7 @@ static void combine_warnings(const clod_locus *loci, size_t count, clod_locus *s
                               : "");
     }
     clod_warnings_check_seeds(self);
+    clod_warnings_points_check_seeds(self, loci, count);
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k < loci[i].warning_count; k++) {
             clod_warnings_add(self, "Seed %lld: %s", (long long)loci[i].marks[0].seed,

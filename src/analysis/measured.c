@@ -198,6 +198,7 @@ static bool read_repose(const char *path, const char *text, size_t length,
 
 typedef struct kind_row {
     const char *name;               ///< in messages
+    const char *needs;              ///< columns, as messages name them
     bool preshear;                  ///< its stresses may be given beside the table
     bool (*is)(const char *header); ///< NULL: what is none of the others
     bool (*read)(const char *path, const char *text, size_t length,
@@ -269,24 +270,29 @@ static char *repose_csv(const clod_measured *self)
 
 static const kind_row KINDS[] = {
     [CLOD_MEASURED_SHEAR] = {.name = "table of shear points",
+                             .needs =
+                                 "sigma_pre [kPa], tau_pre [kPa], sigma_sh [kPa], tau_sh [kPa]",
                              .preshear = true,
                              .read = read_shear,
                              .table = shear_table,
                              .json = shear_json,
                              .csv = shear_csv},
     [CLOD_MEASURED_WALL] = {.name = "wall yield locus",
+                            .needs = "sigma_w [kPa], tau_w [kPa] or phi_x [deg]",
                             .is = is_wall,
                             .read = read_wall,
                             .table = wall_table,
                             .json = wall_json,
                             .csv = wall_csv},
     [CLOD_MEASURED_DENSITY] = {.name = "table of bulk densities",
+                               .needs = "sigma_1 [kPa], rho_b [kg/m3]",
                                .is = is_density,
                                .read = read_density,
                                .table = density_table,
                                .json = density_json,
                                .csv = density_csv},
     [CLOD_MEASURED_REPOSE] = {.name = "table of angles of repose",
+                              .needs = "angle_of_repose [deg]",
                               .is = is_repose,
                               .read = read_repose,
                               .table = repose_table,
@@ -319,12 +325,36 @@ static bool check_defaults(const char *path, const clod_locus_defaults *defaults
                             defaults->sigma_pre != NULL ? "sigma-pre" : "tau-pre");
 }
 
+/** A header that says nothing of what its table is; one that is no text, or has no header, is left to the reader. */
+static bool check_known(const char *path, const char *text, size_t length, clod_status *status)
+{
+    char header[HEADER], kinds[HEADER] = "";
+    header_of(text, length, header);
+    if (header[0] == '\0' || memchr(text, '\0', length) != NULL || is_repose(header) ||
+        has(header, "sigma_p") || has(header, "tau_p") ||
+        clod_measured_stress_of(text, length) != CLOD_MEASURED_OF_NONE) {
+        return true;
+    }
+    for (size_t k = 0; k < sizeof KINDS / sizeof *KINDS; k++) {
+        const size_t used = strlen(kinds);
+        snprintf(kinds + used, sizeof kinds - used, "%s%s: %s", k > 0 ? "; " : "",
+                 KINDS[k].name, KINDS[k].needs);
+    }
+    return clod_status_fail(
+        status, CLOD_USAGE,
+        "%s: none of the columns in its header says what the table is. It "
+        "may be one of these, with the columns that it needs: %s. clod locus "
+        "--help lists the optional ones.",
+        path, kinds);
+}
+
 static bool parse(const char *path, const char *text, size_t length,
                   const clod_locus_defaults *defaults, clod_measured *self, clod_status *status)
 {
     self->kind = clod_measured_kind_of(text, length);
     const kind_row *kind = &KINDS[self->kind];
-    return check_header(path, text, length, status) &&
+    return check_known(path, text, length, status) &&
+           check_header(path, text, length, status) &&
            check_defaults(path, defaults, kind, status) &&
            kind->read(path, text, length, defaults, self, status);
 }
@@ -380,8 +410,8 @@ void clod_measured_warnings(const clod_measured *self, clod_measured_sink sink, 
     for (size_t k = 0; k < self->wall.warning_count; k++) {
         sink(context, self->wall.warnings[k]);
     }
-    if (self->density.warning[0] != '\0') {
-        sink(context, self->density.warning);
+    for (size_t k = 0; k < self->density.warning_count; k++) {
+        sink(context, self->density.warnings[k]);
     }
     for (size_t g = 0; self->study != NULL && g < self->study->count; g++) {
         const clod_locus *locus = &self->study->groups[g].locus;
@@ -391,6 +421,9 @@ void clod_measured_warnings(const clod_measured *self, clod_measured_sink sink, 
                      locus->sigma_p.value / 1000.0, locus->warnings[i]);
             sink(context, text);
         }
+    }
+    if (self->repose.warning[0] != '\0') {
+        sink(context, self->repose.warning);
     }
     if (self->study != NULL && self->study->warning[0] != '\0') {
         sink(context, self->study->warning);

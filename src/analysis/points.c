@@ -3,9 +3,12 @@
  * Shear points from a CSV file, simulated or measured, with units in its header.
  */
 
+#include <math.h>
 #include <string.h>
 
+#include "analysis/bulk_density.h"
 #include "analysis/csv.h"
+#include "analysis/warnings.h"
 #include "base/given.h"
 #include "base/input.h"
 #include "base/memory.h"
@@ -65,9 +68,17 @@ static bool check_header(const clod_csv *self)
     return true;
 }
 
+#define FACTOR 2.0 ///< between their bulk densities: no specimens differ as much
+
 static bool check_row(const clod_csv *self, const void *row)
 {
     const clod_locus_point *point = row;
+    if ((point->rho_b != 0.0 && // 0: not there
+         !clod_bulk_density_check(self, "rho_b", point->rho_b)) ||
+        (point->rho_inside != 0.0 &&
+         !clod_bulk_density_check(self, "rho_inside", point->rho_inside))) {
+        return false;
+    }
     if (point->sigma_p == 0.0 || point->tau_p == 0.0) {
         const bool sigma = point->sigma_p == 0.0;
         return clod_csv_fail(self, &COLUMNS[sigma ? SIGMA_PRE : TAU_PRE], "",
@@ -94,6 +105,34 @@ static const clod_csv_kind POINTS = {
     .check_header = check_header,
     .check_row = check_row,
 };
+
+/** Whether two rows of one consolidation have densities of no one solid. */
+static bool contradict(const clod_locus_point *a, const clod_locus_point *b)
+{
+    return fabs(a->sigma_p - b->sigma_p) <=
+               CLOD_WARNINGS_SAME_PRESHEAR * fmin(a->sigma_p, b->sigma_p) &&
+           a->rho_b > 0.0 && b->rho_b > 0.0 &&
+           fmax(a->rho_b, b->rho_b) > FACTOR * fmin(a->rho_b, b->rho_b);
+}
+
+static bool check_densities(const clod_csv *self)
+{
+    const clod_locus_point *points = self->rows;
+    for (size_t i = 0; i < self->count; i++) {
+        for (size_t k = 0; k < i; k++) {
+            if (contradict(&points[k], &points[i])) {
+                return clod_status_fail(
+                    self->status, CLOD_USAGE,
+                    "%s:%zu: column rho_b: %.6g kg/m3, but line %zu has %.6g kg/m3 at the same "
+                    "preshear stress, %.3f kPa: one consolidation has one bulk density. Correct "
+                    "the one that is wrong, or leave it empty.",
+                    self->path, points[i].row, points[i].rho_b, points[k].row, points[k].rho_b,
+                    points[i].sigma_p / 1000.0);
+            }
+        }
+    }
+    return true;
+}
 
 /** A default that no row needs is a mistake: the column would silently win. */
 static bool check_defaults(const clod_csv *self, const clod_locus_defaults *defaults)
@@ -151,7 +190,7 @@ bool clod_locus_parse(const char *path, const char *text, size_t length,
         !clod_csv_parse(&self, text, length)) {
         return false;
     }
-    if (!check_defaults(&self, &given)) {
+    if (!check_defaults(&self, &given) || !check_densities(&self)) {
         clod_memory_free(self.rows);
         return false;
     }

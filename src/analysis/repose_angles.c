@@ -15,6 +15,7 @@
 #include "base/text.h"
 
 #define DEGREES (180.0 / M_PI)
+#define ROUNDING 1e-9 ///< of the mean: a smaller error is that of one and the same number
 #define LEAST 5.0 ///< deg: glass beads that roll freely make some 20; below it the unit is rad
 
 typedef clod_repose_heap heap;
@@ -36,7 +37,7 @@ static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
                      .offset = offsetof(heap, error)},
 };
 
-/** A number of the heap, or of the solid, that nobody reads here. */
+/** Numbers of the heaps: each row is one of its own, whatever they are. */
 static const char *const SKIPPED[] = {"seed", "heap", NULL};
 
 static bool check_row(const clod_csv *self, const void *row)
@@ -90,7 +91,27 @@ static clod_locus_value mean_of(const heap *heaps, size_t count, double *work)
     if (count > 1) {
         mean.scatter = clod_mean_of(work, count, 0.0).error * sqrt((double)count);
     }
+    if (!(mean.error > ROUNDING * mean.value)) {
+        mean.error =
+            (double)NAN; // one angle, set or rounded: nothing tells how well it is known
+    }
     return mean;
+}
+
+/** A stated error as large as its angle: most likely the wrong column or unit. */
+static void look(clod_repose_angles *self)
+{
+    for (size_t k = 0; k < self->heap_count; k++) {
+        const heap *one = &self->heaps[k];
+        if (one->error >= one->angle) {
+            snprintf(
+                self->warning, sizeof self->warning,
+                "angle_of_repose is %.2f deg with a stated standard error of %.2f deg: nothing "
+                "was measured then; check the column of errors and its unit.",
+                DEGREES * one->angle, DEGREES * one->error);
+            return;
+        }
+    }
 }
 
 bool clod_repose_angles_evaluate(const clod_repose_heap *heaps, size_t count,
@@ -111,6 +132,7 @@ bool clod_repose_angles_evaluate(const clod_repose_heap *heaps, size_t count,
         self->heap_count = count;
         memcpy(self->heaps, heaps, count * sizeof *heaps);
         self->mean = mean_of(heaps, count, work);
+        look(self);
     } else {
         clod_repose_angles_fini(self);
         clod_status_fail(status, CLOD_FAILED, "No memory for %zu heaps.", count);
@@ -148,8 +170,12 @@ char *clod_repose_angles_table(const clod_repose_angles *self)
         isfinite(mean->error)
             ? "  ± one standard error of the mean, from the scatter of the heaps or their stated errors,\n"
               "  whichever is larger; then the standard deviation of one heap.\n"
-            : "  No error bar: it needs two heaps, or a stated error.\n",
+            : "  No error bar: it needs two heaps of different angles, or the error of each.\n",
         out);
+    if (self->warning[0] != '\0') {
+        fputs("\n  Warnings\n", out);
+        clod_prose_warning(out, self->warning);
+    }
     return clod_text_close(&text);
 }
 
@@ -164,10 +190,15 @@ char *clod_repose_angles_json(const clod_repose_angles *self)
                              "angle_of_repose_error_deg",
                              clod_json_number(DEGREES * clod_cells_error(one->error))));
     }
-    json_t *all = json_pack("{s:{s:f, s:o, s:o}, s:o}", "angle_of_repose_deg", "value",
+    json_t *warnings = json_array();
+    if (self->warning[0] != '\0') {
+        json_array_append_new(warnings, json_string(self->warning));
+    }
+    json_t *all = json_pack("{s:{s:f, s:o, s:o}, s:o, s:o}", "angle_of_repose_deg", "value",
                             DEGREES * self->mean.value, "error",
                             clod_json_number(DEGREES * self->mean.error), "scatter",
-                            clod_json_number(DEGREES * self->mean.scatter), "heaps", heaps);
+                            clod_json_number(DEGREES * self->mean.scatter), "heaps", heaps,
+                            "warnings", warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

@@ -3,6 +3,7 @@
  * Points sorted into consolidation stresses and seeds, each evaluated, seeds combined.
  */
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +13,9 @@
 #include "base/memory.h"
 #include "clod/locus.h"
 
-#define SAME_STRESS 1.02 // preshear stresses of one consolidation are no further apart
+#define KILO 1000.0
+#define NEAR                                                                                   \
+    0.1 ///< relative: a preshear stress so close may have been meant for the same locus
 
 /** A point with the place where it belongs. */
 typedef struct sorted {
@@ -50,7 +53,8 @@ static size_t sort_points(const clod_locus_point *points, size_t count, sorted *
     qsort(items, count, sizeof *items, by_stress);
     size_t first = 0;
     for (size_t i = 1; i < count; i++) {
-        const bool apart = items[i].point.sigma_p > SAME_STRESS * items[first].point.sigma_p;
+        const bool apart = items[i].point.sigma_p >
+                           (1.0 + CLOD_WARNINGS_SAME_PRESHEAR) * items[first].point.sigma_p;
         items[i].group = items[i - 1].group + (apart ? 1 : 0);
         first = apart ? i : first;
     }
@@ -88,7 +92,7 @@ static bool evaluate_seed(const sorted *items, size_t count, clod_locus_point *p
         snprintf(seed, sizeof seed, ", seed %lld", (long long)points[0].seed);
     }
     return clod_status_fail(status, status->code, "Preshear at %.3f kPa%s: %s",
-                            points[0].sigma_p / 1000.0, seed, text);
+                            points[0].sigma_p / KILO, seed, text);
 }
 
 static bool evaluate_group(const sorted *items, size_t count, clod_locus_point *points,
@@ -115,14 +119,52 @@ static bool evaluate_group(const sorted *items, size_t count, clod_locus_point *
     return clod_locus_combine(group->seeds, seeds, &group->locus, status);
 }
 
+/** What to do about preshear stresses that another locus has within a tenth of those of items [first, end); "": there are none. */
+static void tell_near(const sorted *items, size_t count, size_t first, size_t end,
+                      char text[CLOD_LOCUS_WARNING_TEXT])
+{
+    const double own = items[first].point.sigma_p;
+    double below = 0.0;
+    double above = INFINITY;
+    for (size_t i = 0; i < count; i++) { // groups are in ascending order
+        const double other = items[i].point.sigma_p;
+        below = i < first ? fmax(below, other) : below;
+        above = i >= end ? fmin(above, other) : above;
+    }
+    const bool low = own <= (1.0 + NEAR) * below, high = above <= (1.0 + NEAR) * own;
+    char others[64] = "";
+    if (low) {
+        snprintf(others, sizeof others, "%.3f%s", below / KILO, high ? " and " : "");
+    }
+    if (high) {
+        const size_t used = strlen(others);
+        snprintf(others + used, sizeof others - used, "%.3f", above / KILO);
+    }
+    text[0] = '\0';
+    if (low || high) {
+        snprintf(text, CLOD_LOCUS_WARNING_TEXT,
+                 "Other rows have a preshear of %s kPa, and more than %.0f %% apart is another "
+                 "locus. If all are of one, give them one nominal sigma_pre: each tau_sh is "
+                 "prorated with the tau_pre of its row.",
+                 others, 100.0 * CLOD_WARNINGS_SAME_PRESHEAR);
+    }
+}
+
 static bool evaluate_all(clod_locus_study *self, const sorted *items, size_t count,
                          clod_locus_point *points, clod_status *status)
 {
     size_t at = 0;
     for (size_t g = 0; at < count; g++) {
         const size_t end = run_end(items, at, count, false);
-        if (!evaluate_group(items + at, end - at, points, &self->groups[g], status)) {
-            return false;
+        char near[CLOD_LOCUS_WARNING_TEXT];
+        tell_near(items, count, at, end, near);
+        clod_status why = {0};
+        if (!evaluate_group(items + at, end - at, points, &self->groups[g], &why)) {
+            return clod_status_fail(status, why.code, "%s%s%s", why.text,
+                                    near[0] != '\0' ? " " : "", near);
+        }
+        if (near[0] != '\0') {
+            clod_warnings_add(&self->groups[g].locus, "%s", near);
         }
         at = end;
     }

@@ -243,6 +243,24 @@ static void look_at_steadiness(clod_wall_locus *self)
     }
 }
 
+/** A stated error as large as its value, in a table. */
+static void look_at_stated(clod_wall_locus *self)
+{
+    for (size_t i = 0; i < self->point_count; i++) {
+        const point *p = &self->marks[i].point;
+        const bool tau = p->tau_error > 0.0 && p->tau_error >= fabs(p->tau);
+        if (tau || p->sigma_error >= p->sigma) {
+            warn(
+                self,
+                "%s is %.3f kPa with a stated standard error of %.3f kPa: nothing was measured "
+                "then; check the column of errors and its unit.",
+                tau ? "tau_w" : "sigma_w", 1e-3 * (tau ? p->tau : p->sigma),
+                1e-3 * (tau ? p->tau_error : p->sigma_error));
+            return;
+        }
+    }
+}
+
 static void look(clod_wall_locus *self)
 {
     double largest = 0.0;
@@ -254,6 +272,9 @@ static void look(clod_wall_locus *self)
     }
     look_at_angle(self, end);
     look_at_steadiness(self);
+    if (!is_simulated(self)) {
+        look_at_stated(self);
+    }
     if (self->tau_ad.value < -BELOW_SLACK * largest &&
         !(self->tau_ad.value > -ADHESION_ERRORS * self->tau_ad.error)) {
         warn(self,

@@ -6,17 +6,15 @@
 #include <string.h>
 
 #include "analysis/mohr.h"
+#include "analysis/warnings_points.h"
 
 #define KILO 1000.0
 #define DEGREES (180.0 / 3.14159265358979323846)
-#define PHI_LOW 5.0 // deg; angles of dry and of very rough solids lie well inside
-#define PHI_HIGH 65.0
 #define RANGE_LOW 0.2 // of sigma_p, docs/theory/yield-locus.md
 #define RANGE_HIGH 0.8
 #define RANGE_SLACK CLOD_WARNINGS_SAME_STRESS
-#define TOUCH_SLACK 0.1     // of sigma_p: 80 % often lies a little beyond, and does no harm
-#define PRESHEAR_SLACK 0.02 // relative: more than this is another consolidation
-#define STORED 0.1          // of tau_p: peaks that are so much higher are no scatter
+#define TOUCH_SLACK 0.1 // of sigma_p: 80 % often lies a little beyond, and does no harm
+#define STORED 0.1      // of tau_p: peaks that are so much higher are no scatter
 #define MORE " ..."
 #define SAG_SLACK 0.02  // of the mean shear stress: less does not matter
 #define FALL_SLACK 0.02 // the same for a fall, where points state no errors
@@ -27,10 +25,6 @@
 #define PHI_ERROR_MOST 3.0
 /// Below it more than a fifth, sqrt(1 - r2), of what the shear stresses differ is not the line.
 #define R2_LEAST 0.95
-#define LEAST_TEST 100.0 // Pa: a tenth of the least preshear stress of ring shear testers
-#define MOST_TEST 1e6    // Pa: hoppers and silos have some 100 kPa at most
-#define RHO_LOW 10.0     // kg/m3; aerogels and foam beads, the lightest solids, pour with more
-#define RHO_HIGH 15000.0 // kg/m3; powders of tungsten and platinum are lighter
 
 void clod_warnings_add(clod_locus *locus, const char *format, ...)
 {
@@ -66,7 +60,8 @@ static void list_add(stress_list *self, double stress)
 
 bool clod_warnings_is_usual(double phi_lin)
 {
-    return phi_lin * DEGREES >= PHI_LOW && phi_lin * DEGREES <= PHI_HIGH;
+    return phi_lin * DEGREES >= CLOD_WARNINGS_PHI_LOW &&
+           phi_lin * DEGREES <= CLOD_WARNINGS_PHI_HIGH;
 }
 
 static void check_line(clod_locus *locus, size_t count)
@@ -89,25 +84,41 @@ static void check_line(clod_locus *locus, size_t count)
             locus,
             "phi_lin = %.2f deg is outside %.0f to %.0f deg; check the columns and "
             "units.",
-            phi, PHI_LOW, PHI_HIGH);
+            phi, CLOD_WARNINGS_PHI_LOW, CLOD_WARNINGS_PHI_HIGH);
     }
 }
 
-static void check_error(clod_locus *locus)
+/** Whether what the points scatter about their line makes most of the error [deg] of its angle. */
+static bool scatter(const clod_warnings_line *line, double error)
 {
-    const double error = locus->phi_lin.error * DEGREES;
+    const double slope = line->fit.slope;
+    return line->count > 2 && clod_fit_slope_error(&line->fit, line->count) * DEGREES >
+                                  sqrt(0.5) * error * (1.0 + slope * slope);
+}
+
+/** Points off the line, or on it with errors that leave its angle open. */
+static void check_error(clod_locus *locus, const clod_locus_point *points,
+                        const clod_warnings_line *line)
+{
+    const double error = locus->phi_lin.error * DEGREES; // NAN: too large to be told
+    const bool off = locus->r_squared < R2_LEAST;
     const bool wide = locus->errors != CLOD_LOCUS_ERRORS_NONE && !(error <= PHI_ERROR_MOST);
-    if (wide || locus->r_squared < R2_LEAST) {
+    if (off || (wide && !clod_warnings_points_unmeasured(points, line->count))) {
         char bar[32] = "";
         if (isfinite(error)) {
             snprintf(bar, sizeof bar, " +- %.1f", error);
+        } else if (wide) {
+            snprintf(bar, sizeof bar, " +- more than 90");
         }
         clod_warnings_add(
             locus,
-            "phi_lin = %.1f%s deg, r2 = %.3f: the points do not lie on a line (at most "
+            "phi_lin = %.1f%s deg, r2 = %.3f: %s (at most "
             "+- %.0f deg, r2 at least %.2f); c, sigma_c and ffc are of little use. "
             "Add points or repeats.",
-            locus->phi_lin.value * DEGREES, bar, locus->r_squared, PHI_ERROR_MOST, R2_LEAST);
+            locus->phi_lin.value * DEGREES, bar, locus->r_squared,
+            off || scatter(line, error) ? "the points do not lie on a line"
+                                        : "the errors stated leave the angle open",
+            PHI_ERROR_MOST, R2_LEAST);
     }
 }
 
@@ -120,65 +131,6 @@ void clod_warnings_check_seeds(clod_locus *locus)
             "phi_lin = %.1f +- %.1f deg over %zu seeds: their lines differ too much "
             "(at most +- %.0f deg is good) for c, sigma_c and ffc. Add seeds.",
             locus->phi_lin.value * DEGREES, error, locus->seed_count, PHI_ERROR_MOST);
-    }
-}
-
-/** Preshear and bulk density as they are in no solid: columns exchanged, or another unit. */
-static void check_units(clod_locus *locus, const clod_locus_point *points, size_t count)
-{
-    const double phi_sf = locus->phi_sf.value * DEGREES;
-    if (phi_sf < PHI_LOW || phi_sf > PHI_HIGH) {
-        clod_warnings_add(
-            locus,
-            "Preshear at %.3f kPa with a shear stress of %.3f kPa: phi_sf = %.2f "
-            "deg is outside %.0f to %.0f deg; check columns and units of preshear.",
-            locus->sigma_p.value / KILO, locus->tau_p.value / KILO, phi_sf, PHI_LOW, PHI_HIGH);
-    }
-    if (locus->sigma_p.value < LEAST_TEST || locus->sigma_p.value > MOST_TEST) {
-        clod_warnings_add(locus,
-                          "The preshear stress is %.6g kPa, %s. Is its unit another one?",
-                          locus->sigma_p.value / KILO,
-                          locus->sigma_p.value < LEAST_TEST ? "less than testers can do"
-                                                            : "more than any hopper has");
-    }
-    for (size_t i = 0; i < count; i++) {
-        const double first = points[i].rho_b, inside = points[i].rho_inside;
-        const bool wrong = first > 0.0 && (first < RHO_LOW || first > RHO_HIGH);
-        const double density = wrong ? first : inside;
-        if (density > 0.0 && (density < RHO_LOW || density > RHO_HIGH)) {
-            clod_warnings_add(locus,
-                              "A bulk density of %.4g kg/m3 is outside %.0f to %.0f kg/m3, "
-                              "between aerogel and heavy metal; check its unit (1 g/cm3 is "
-                              "1000 kg/m3).",
-                              density, RHO_LOW, RHO_HIGH);
-            return;
-        }
-    }
-}
-
-/** A stated error as large as its value: most likely the wrong column or unit. */
-static void check_stated(clod_locus *locus, const clod_locus_point *points, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        const clod_locus_point *p = &points[i];
-        const struct {
-            const char *name, *unit;
-            double value, error, scale;
-        } STATED[] = {{"tau_pre", "kPa", p->tau_p, p->tau_p_error, KILO},
-                      {"tau_sh", "kPa", p->tau_s, p->tau_s_error, KILO},
-                      {"rho_b", "kg/m3", p->rho_b, p->rho_b_error, 1.0}};
-        for (size_t k = 0; k < sizeof STATED / sizeof STATED[0]; k++) {
-            if (STATED[k].error > 0.0 && STATED[k].error >= STATED[k].value) {
-                clod_warnings_add(locus,
-                                  "%s is %.3f %s with a stated standard error of %.3f %s: "
-                                  "nothing was measured then; check the column of errors and "
-                                  "its unit.",
-                                  STATED[k].name, STATED[k].value / STATED[k].scale,
-                                  STATED[k].unit, STATED[k].error / STATED[k].scale,
-                                  STATED[k].unit);
-                return;
-            }
-        }
     }
 }
 
@@ -285,12 +237,12 @@ static void check_preshear(clod_locus *locus, const clod_locus_point *points, si
         low = fmin(low, points[i].sigma_p);
         high = fmax(high, points[i].sigma_p);
     }
-    if (high > (1.0 + PRESHEAR_SLACK) * low) {
+    if (high > (1.0 + CLOD_WARNINGS_SAME_PRESHEAR) * low) {
         clod_warnings_add(
             locus,
             "Preshear stresses from %.3f to %.3f kPa are more than %.0f %% apart: "
             "the points do not belong to one consolidation.",
-            low / KILO, high / KILO, 100.0 * PRESHEAR_SLACK);
+            low / KILO, high / KILO, 100.0 * CLOD_WARNINGS_SAME_PRESHEAR);
     }
 }
 
@@ -396,9 +348,8 @@ void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size
                          const clod_warnings_line *line)
 {
     check_line(locus, count);
-    check_error(locus);
-    check_units(locus, points, count);
-    check_stated(locus, points, count);
+    check_error(locus, points, line);
+    clod_warnings_points_check(locus, points, count);
     check_fall(locus, points, line);
     check_preshear(locus, points, count);
     check_stored(locus, points, count);

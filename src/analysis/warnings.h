@@ -11,6 +11,13 @@
  */
 #define CLOD_WARNINGS_SAME_STRESS 0.01
 
+/** Relative: preshear stresses further apart are two consolidations. */
+#define CLOD_WARNINGS_SAME_PRESHEAR 0.02
+
+// deg; angles of dry and of very rough solids lie well inside
+#define CLOD_WARNINGS_PHI_LOW 5.0
+#define CLOD_WARNINGS_PHI_HIGH 65.0
+
 /** The line and the prorated points it goes through. */
 typedef struct clod_warnings_line {
     clod_fit fit;

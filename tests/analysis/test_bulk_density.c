@@ -85,7 +85,7 @@ static void a_density_that_falls_is_told(void **state)
     clod_status status = {0};
     (void)state;
     assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
-    assert_non_null(strstr(self.warning, "falls while the stress rises (beta = -0.0458)"));
+    assert_non_null(strstr(self.warnings[0], "falls while the stress rises (beta = -0.0458)"));
     char *table = clod_bulk_density_table(&self);
     char *json = clod_bulk_density_json(&self);
     assert_non_null(strstr(table, "Warnings\n  - The bulk density falls"));
@@ -95,8 +95,73 @@ static void a_density_that_falls_is_told(void **state)
     clod_bulk_density_fini(&self);
     points[0].rho_b_error = points[1].rho_b_error = 100.0;
     assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
-    assert_true(self.warning[0] == '\0');
+    assert_int_equal(self.warning_count, 0);
     clod_bulk_density_fini(&self);
+}
+
+/** What an evaluation says, with so many warnings. */
+static void expect_warnings(const clod_bulk_density_point *points, size_t count, size_t wanted,
+                            const char *text)
+{
+    clod_bulk_density self;
+    clod_status status = {0};
+    assert_true(clod_bulk_density_evaluate(points, count, &self, &status));
+    assert_int_equal(self.warning_count, wanted);
+    if (wanted > 0 && strstr(self.warnings[wanted - 1], text) == NULL) {
+        fail_msg("\"%s\" is not in \"%s\"", text, self.warnings[wanted - 1]);
+    }
+    clod_bulk_density_fini(&self);
+}
+
+/** Three stresses in a geometric series: the line of logarithms passes a middle point that is off by ln f at 2/3 ln f, the others at
+ *  1/3. So f = 1.07 is 4.5 % off the law and f = 1.09 5.7 %; 1000, 100, 1400 kg/m3 lie at 519.2 in the middle. r2 is 0 of the
+ *  first, as of all whose ends are equal. */
+static void points_off_the_law_are_told(void **state)
+{
+    clod_bulk_density_point points[] = {{.sigma_1 = 2e3, .rho_b = 1000.0},
+                                        {.sigma_1 = 4e3, .rho_b = 1070.0},
+                                        {.sigma_1 = 8e3, .rho_b = 1000.0}};
+    (void)state;
+    expect_warnings(points, 3, 0, "");
+    points[1].rho_b = 1090.0;
+    expect_warnings(points, 3, 1,
+                    "(r2 = 0.000): 1090 kg/m3 at 4.000 kPa, where the law has 1029.1");
+    points[1].rho_b_error = 40.0; // 5.7 % are within two errors
+    expect_warnings(points, 3, 0, "");
+    points[1] = (clod_bulk_density_point){.sigma_1 = 4e3, .rho_b = 100.0};
+    points[2].rho_b = 1400.0;
+    expect_warnings(
+        points, 3, 1,
+        "The points do not follow the law (r2 = 0.014): 100 kg/m3 at 4.000 kPa, where "
+        "the law has 519.2; more than 5 % apart.");
+}
+
+/** 100 and 1000 kg/m3 at 2 and 4 kPa: ln 10/ln 2 = 3.32; twice the density at four times the stress is allowed. */
+static void an_exponent_that_no_solid_has_is_told(void **state)
+{
+    clod_bulk_density_point points[] = {{.sigma_1 = 2e3, .rho_b = 100.0},
+                                        {.sigma_1 = 4e3, .rho_b = 1000.0}};
+    (void)state;
+    expect_warnings(points, 2, 1, "beta = 3.3219: no solid is compressed as much");
+    points[1] = (clod_bulk_density_point){.sigma_1 = 8e3, .rho_b = 199.0};
+    expect_warnings(points, 2, 0, "");
+}
+
+static void stated_errors_as_large_as_their_values_are_told(void **state)
+{
+    clod_bulk_density_point points[] = {
+        {.sigma_1 = 2e3, .rho_b = 1000.0, .rho_b_error = 999.0},
+        {.sigma_1 = 4e3, .rho_b = 1100.0, .sigma_1_error = 3e3}};
+    (void)state;
+    expect_warnings(points, 2, 0, "");
+    points[1].sigma_1_error = 4e3;
+    expect_warnings(
+        points, 2, 1,
+        "sigma_1 is 4.000 kPa with a stated standard error of 4.000 kPa: nothing was "
+        "measured then");
+    points[0].rho_b_error = 2000.0;
+    expect_warnings(points, 2, 1,
+                    "rho_b is 1000.000 kg/m3 with a stated standard error of 2000.000 kg/m3");
 }
 
 static void expect_error(const char *text, const char *wanted)
@@ -132,6 +197,9 @@ int main(void)
         cmocka_unit_test(the_error_is_that_of_the_scatter),
         cmocka_unit_test(stated_errors_carry_over),
         cmocka_unit_test(a_density_that_falls_is_told),
+        cmocka_unit_test(points_off_the_law_are_told),
+        cmocka_unit_test(an_exponent_that_no_solid_has_is_told),
+        cmocka_unit_test(stated_errors_as_large_as_their_values_are_told),
         cmocka_unit_test(what_is_no_density_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -48,6 +48,50 @@ static void bulk_density_in_another_unit(void **state)
     }
 }
 
+// 1690/1600 = 1.056 is a slip, 1670/1600 = 1.044 is not; one point does not tell its density.
+static void bulk_densities_of_one_preshear(void **state)
+{
+    (void)state;
+    clod_locus_point points[4];
+    good_points(points);
+    for (size_t i = 0; i < 3; i++) {
+        points[i].rho_b = 1600.0;
+    }
+    expect_none(points);
+    points[3].rho_b = 1670.0;
+    expect_none(points);
+    points[3].rho_b = 1690.0;
+    expect(points, "Bulk densities from 1600 to 1690 kg/m3 are of one preshear stress");
+    points[0].rho_b = 1510.0;
+    expect(points, "Bulk densities from 1510 to 1690 kg/m3 are of one preshear stress");
+}
+
+// Packings differ by more than the rows of one: 1750/1600 = 1.094 may be, 1770/1600 = 1.106 not.
+static void bulk_densities_of_seeds(void **state)
+{
+    (void)state;
+    static clod_status status;
+    clod_locus loci[2], all;
+    clod_locus_point points[4];
+    const double second[] = {1750.0, 1770.0};
+    for (size_t k = 0; k < 2; k++) {
+        for (size_t s = 0; s < 2; s++) {
+            good_points(points);
+            for (size_t i = 0; i < 4; i++) {
+                points[i].rho_b = s == 0 ? 1600.0 : second[k];
+            }
+            loci[s] = evaluate(points, 4);
+        }
+        assert_true(clod_locus_combine(loci, 2, &all, &status));
+        assert_int_equal(all.warning_count, k);
+        assert_true(k == 0 || has_warning(&all, "Bulk densities of the seeds are from 1600 to "
+                                                "1770 kg/m3, more than 10 % apart"));
+        clod_locus_fini(&all);
+        clod_locus_fini(&loci[0]);
+        clod_locus_fini(&loci[1]);
+    }
+}
+
 // tau_pre in Pa read as kPa: atan(7600/10) = 89.92 deg.
 static void preshear_in_another_unit(void **state)
 {
@@ -88,7 +132,40 @@ static void error_of_an_angle_above_90_deg_is_none(void **state)
     clod_locus locus = evaluate(points, 4);
     assert_true(isnan(locus.phi_lin.error));
     assert_true(isfinite(locus.phi_sf.error) && locus.phi_sf.error < PI / 2.0);
-    assert_true(has_warning(&locus, "the points do not lie on a line"));
+    assert_false(has_warning(&locus, "the points do not lie on a line"));
+    assert_false(has_warning(&locus, "the errors stated leave the angle open"));
+    assert_true(has_warning(&locus, "nothing was measured then"));
+    clod_locus_fini(&locus);
+}
+
+/** Points on their line whose stated errors leave its angle open: half of the smallest tau_sh; and two points so close, 110 Pa, that
+ *  errors of 4 kPa turn the line by 88 deg each way, each of them. atan(0.07/0.11) = 32.5 deg. */
+static void stated_errors_leave_the_angle_open(void **state)
+{
+    (void)state;
+    clod_locus_point points[4];
+    good_points(points);
+    for (size_t i = 0; i < 4; i++) {
+        points[i].tau_s_error = 1.5e3;
+        points[i].tau_p_error = 100.0;
+    }
+    clod_locus locus = evaluate(points, 4);
+    assert_int_equal(locus.warning_count, 1);
+    assert_true(has_warning(
+        &locus, "deg, r2 = 1.000: the errors stated leave the angle open (at most"));
+    clod_locus_fini(&locus);
+    for (size_t i = 0; i < 2; i++) {
+        points[i] = (clod_locus_point){.sigma_p = 10e3,
+                                       .tau_p = 7.6e3,
+                                       .sigma_s = i == 0 ? 5e3 : 5.11e3,
+                                       .tau_s = i == 0 ? 4.5e3 : 4.57e3,
+                                       .tau_s_error = 4e3,
+                                       .tau_p_error = 100.0};
+    }
+    locus = evaluate(points, 2);
+    assert_true(has_warning(
+        &locus,
+        "phi_lin = 32.5 +- more than 90 deg, r2 = 1.000: the errors stated leave the angle open"));
     clod_locus_fini(&locus);
 }
 
@@ -257,9 +334,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bulk_density_in_another_unit),
+        cmocka_unit_test(bulk_densities_of_one_preshear),
+        cmocka_unit_test(bulk_densities_of_seeds),
         cmocka_unit_test(preshear_in_another_unit),
         cmocka_unit_test(stated_error_as_large_as_its_value),
         cmocka_unit_test(error_of_an_angle_above_90_deg_is_none),
+        cmocka_unit_test(stated_errors_leave_the_angle_open),
         cmocka_unit_test(normal_stresses_that_are_one),
         cmocka_unit_test(strength_that_falls_with_consolidation),
         cmocka_unit_test(strength_that_does_not_fall),

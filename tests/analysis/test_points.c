@@ -189,6 +189,47 @@ static void wrong_rows(void **state)
                  "p.csv:2: column rho_b: \"-1\" must be above 0.");
 }
 
+#define DENSE "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+
+static void wrong_densities(void **state)
+{
+    (void)state;
+    expect_error(DENSE "10,8.5,2,3.4,1600\n10,8.5,4,4.8,1.6\n", &NONE,
+                 "p.csv:3: column rho_b: 1.6 kg/m3 is outside 10 to 15000 kg/m3; is its unit "
+                 "another one, [g/cm3]?");
+    expect_error("rho_inside [kg/m3]," HEAD "16000,10,8.5,2,3.4\n", &NONE,
+                 "p.csv:2: column rho_inside: 16000 kg/m3 is outside 10 to 15000 kg/m3; is its "
+                 "unit another one, [g/cm3]?");
+    expect_error(DENSE "20,17,4,6.8,700\n10,8.5,2,3.4,1600\n10.1,8.5,4,4.8,160\n", &NONE,
+                 "p.csv:4: column rho_b: 160 kg/m3, but line 3 has 1600 kg/m3 at the same "
+                 "preshear stress, 10.100 kPa: one consolidation has one bulk density. Correct "
+                 "the one that is wrong, or leave it empty.");
+    expect_error("seed," DENSE "1,10,8.5,2,3.4,790\n2,10,8.5,4,4.8,1600\n", &NONE,
+                 "p.csv:3: column rho_b: 1600 kg/m3, but line 2 has 790 kg/m3 at the same "
+                 "preshear stress, 10.000 kPa: one consolidation has one bulk density. Correct "
+                 "the one that is wrong, or leave it empty.");
+}
+
+// A factor of 2, 3 % between the preshear stresses, and an empty cell; a simulation's densities.
+static void densities_that_may_be(void **state)
+{
+    (void)state;
+    clod_locus_point *points;
+    assert_int_equal(parse_good(DENSE "10,8.5,2,3.4,800\n10,8.5,4,4.8,1600\n10,8.5,6,6,\n"
+                                      "10.3,8.5,2,3.4,1700\n",
+                                &NONE, &points),
+                     4);
+    clod_locus_free(points);
+    assert_int_equal(parse_good("seed,rho_inside [kg/m3]," DENSE
+                                "1,1221.93149,2.4,2.1,0.6,0.9,1103.06991\n"
+                                "2,1321.37515,2.4,2.1,0.6,0.9,1141.61821\n"
+                                "3,,2.4,2.1,0.6,0.9,1141.61821\n",
+                                &NONE, &points),
+                     3);
+    assert_near(points[1].rho_inside, 1321.37515, 1e-15);
+    clod_locus_free(points);
+}
+
 static void wrong_defaults(void **state)
 {
     (void)state;
@@ -253,6 +294,8 @@ int main(void)
         cmocka_unit_test(many_rows_are_kept),
         cmocka_unit_test(wrong_headers),
         cmocka_unit_test(wrong_rows),
+        cmocka_unit_test(wrong_densities),
+        cmocka_unit_test(densities_that_may_be),
         cmocka_unit_test(wrong_defaults),
         cmocka_unit_test(defaults_that_no_row_needs),
         cmocka_unit_test(one_is_no_plural),

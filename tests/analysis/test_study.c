@@ -83,6 +83,48 @@ static void a_bad_group_is_named(void **state)
     assert_string_equal(status.text, "There are no shear points.");
 }
 
+/** 9.7, 10.0 and 10.3 kPa are 3 % apart: three loci, as the error says, with its neighbours. */
+static void preshears_that_are_close_are_told(void **state)
+{
+    (void)state;
+    static clod_status status;
+    static const double SIGMA[] = {3e3, 4.5e3, 6e3, 7.5e3};
+    clod_locus_point points[6];
+    points_on_line(1e3, 35.0 * DEG, 10e3, 7.6e3, SIGMA, 3, points);
+    points[0].sigma_p = 9.7e3;
+    points[1].sigma_p = 10.3e3;
+    assert_null(clod_locus_study_create(points, 3, &status));
+    assert_string_equal(
+        status.text,
+        "Preshear at 9.700 kPa: A yield locus needs at least two points, better four; there is 1. "
+        "Other rows have a preshear of 10.000 kPa, and more than 2 % apart is another locus. If "
+        "all are of one, give them one nominal sigma_pre: each tau_sh is prorated with the "
+        "tau_pre of its row.");
+    points_on_line(1e3, 35.0 * DEG, 9.7e3, 7.6e3, SIGMA, 2, points);
+    points_on_line(1e3, 35.0 * DEG, 10e3, 7.6e3, SIGMA, 1, points + 2);
+    points_on_line(1e3, 35.0 * DEG, 10.3e3, 7.6e3, SIGMA, 2, points + 3);
+    assert_null(clod_locus_study_create(points, 5, &status));
+    assert_non_null(strstr(status.text, "there is 1. Other rows have a preshear of 9.700 and "
+                                        "10.300 kPa, and"));
+    // one that has its points: a locus of its own, and told
+    points_on_line(1e3, 35.0 * DEG, 10e3, 7.6e3, SIGMA, 3, points);
+    points_on_line(1e3, 35.0 * DEG, 10.9e3, 8.2e3, SIGMA, 3, points + 3);
+    clod_locus_study *study = clod_locus_study_create(points, 6, &status);
+    assert_int_equal(study->count, 2);
+    assert_true(
+        has_warning(&study->groups[0].locus, "Other rows have a preshear of 10.900 kPa"));
+    assert_true(
+        has_warning(&study->groups[1].locus, "Other rows have a preshear of 10.000 kPa"));
+    clod_locus_study_destroy(&study);
+    for (size_t i = 3; i < 6; i++) { // another consolidation
+        points[i].sigma_p = 11.1e3;
+    }
+    study = clod_locus_study_create(points, 6, &status);
+    assert_false(has_warning(&study->groups[0].locus, "Other rows"));
+    assert_false(has_warning(&study->groups[1].locus, "Other rows"));
+    clod_locus_study_destroy(&study);
+}
+
 static double json_number(const json_t *locus, const char *name, const char *part)
 {
     const json_t *value = json_object_get(json_object_get(locus, name), part);
@@ -232,6 +274,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_sorted_into_groups_and_seeds),
         cmocka_unit_test(a_bad_group_is_named),
+        cmocka_unit_test(preshears_that_are_close_are_told),
         cmocka_unit_test(json_has_every_number),
         cmocka_unit_test(json_of_undefined_is_null),
         cmocka_unit_test(csv_has_one_row_per_group),

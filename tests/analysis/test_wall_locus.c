@@ -216,6 +216,26 @@ static void an_angle_that_no_simulated_wall_has(void **state)
     }
 }
 
+/** 30 kPa for 3 kPa; an error of the normal stress; one that is just smaller says nothing. A simulated plate without friction may have
+ *  any. */
+static void a_stated_error_as_large_as_its_value_is_told(void **state)
+{
+    (void)state;
+    clod_wall_locus_point points[] = {{.sigma = 5e3, .tau = 1.5e3, .tau_error = 1.4e3},
+                                      {.sigma = 10e3, .tau = 3e3, .tau_error = 2.9e3}};
+    expect_only(points, 2, NULL);
+    points[1].tau_error = 30e3;
+    expect_only(points, 2,
+                "tau_w is 3.000 kPa with a stated standard error of 30.000 kPa: nothing was "
+                "measured then");
+    points[1].tau_error = 0.0;
+    points[0].sigma_error = 5e3;
+    expect_only(points, 2, "sigma_w is 5.000 kPa with a stated standard error of 5.000 kPa");
+    points[0].wall_stress = points[0].sigma;
+    points[1].wall_stress = points[1].sigma;
+    expect_only(points, 2, NULL);
+}
+
 /** In the text, the JSON and the CSV too, where the stress that was asked for is, if it is stated. */
 static void what_was_not_steady_is_marked(void **state)
 {
@@ -266,6 +286,7 @@ int main(void)
         cmocka_unit_test(a_locus_that_is_odd_says_so),
         cmocka_unit_test(an_angle_that_no_wall_has_is_told),
         cmocka_unit_test(an_angle_that_no_simulated_wall_has),
+        cmocka_unit_test(a_stated_error_as_large_as_its_value_is_told),
         cmocka_unit_test(a_small_error_is_no_zero),
         cmocka_unit_test(what_was_not_steady_is_marked),
     };

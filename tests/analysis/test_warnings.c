@@ -228,7 +228,8 @@ static void angle_with_a_wide_error(void **state)
     for (size_t i = 0; i < 4; i++) {
         points[i].tau_s += 1.5 * off[i];
     }
-    expect(points, 4, "phi_lin = 35.0 +- 3.0 deg, r2 = 0.97", NULL);
+    expect(points, 4, "phi_lin = 35.0 +- 3.0 deg, r2 = 0.975: the points do not lie on a line",
+           NULL);
 }
 
 // Slope 0.1 over -2 to 2 kPa: sum (0.1 x)^2 = 0.1 kPa^2. d (1, -2, 0, 2, -1) has neither slope

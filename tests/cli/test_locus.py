@@ -12,8 +12,8 @@ import clod
 
 HEAD = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
 GOOD = HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1650\n10,7.6,7.5,6.25,1650\n"
-# a bulk density in g/cm3, and a point above preshear
-WRONG = HEAD + "10,7.6,3,3.1,1.65\n10,7.6,5,4.5,1.65\n10,7.6,12,9.4,1.65\n"
+# a slip of a bulk density, and a point above preshear
+WRONG = HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1560\n10,7.6,12,9.4,1650\n"
 
 
 class Locus(clod.Case):
@@ -37,6 +37,33 @@ class Locus(clod.Case):
             self.assertGreater(len(names), 7)
             for name in names:
                 self.assertIn(name, told)
+
+    def test_a_header_that_is_not_known(self):
+        """Kinds of table are told, each with columns that make one, where no column says which it is."""
+        for head in ("\u03c3_w [kPa],\u03c4_w [kPa]", "normal stress [kPa];shear stress [kPa]", "Probe", "10,7.6,3,3.1"):
+            said = self.locus("-", input="# laboratory\n" + head + "\n1,1\n", code=2).stderr
+            self.assertIn("standard input: none of the columns in its header says what the table is", said)
+        told = re.search(r"that it needs: (.*)\. clod locus --help", said)[1]
+        self.assertEqual([kind.split(": ")[0] for kind in told.split("; ")],
+                         ["table of shear points", "wall yield locus", "table of bulk densities", "table of angles of repose"])
+        for kind in told.split("; "):
+            head = re.sub(r" or .*", "", kind.split(": ")[1]).replace(", ", ",")
+            rows = {1: "30\n", 2: "10,30\n20,40\n", 4: "10,8,3,3\n10,8,6,5\n"}[head.count(",") + 1]
+            self.locus("-", input=head + "\n" + rows)
+        for head, words in (("sigma_p [kPa],tau_p [kPa],x", 'no column "x"'), ("Sigma_sh [kPa]", "did you mean sigma_sh?"),
+                            ("# nothing", "there is no header in it"), ("\0", "this is no text file")):
+            self.assertIn(words, self.locus("-", input=head + "\n1,1\n" * (head[0] != "#"), code=2).stderr)
+
+    def test_densities_of_one_preshear(self):
+        """A slip of a factor of 10 is refused, in every form; what a laboratory may see is not."""
+        for form in ([], ["--json"], ["--csv"]):
+            done = self.locus("-", *form, input=GOOD.replace("6.25,1650", "6.25,165"), code=2)
+            self.assertEqual(done.stdout, "")
+            self.assertIn("standard input:4: column rho_b: 165 kg/m3, but line 2 has 1650 kg/m3 at the same preshear stress",
+                          done.stderr)
+        self.assertIn("standard input:2: column rho_b: 1.65 kg/m3 is outside 10 to 15000 kg/m3",
+                      self.locus("-", input=GOOD.replace("1650", "1.65"), code=2).stderr)
+        self.assertEqual(self.locus("-", "--csv", input=GOOD.replace("6.25,1650", "6.25,1600")).stderr, "")
 
     def test_standard_input_and_output(self):
         self.write("points.csv", GOOD)
@@ -65,7 +92,7 @@ class Locus(clod.Case):
         self.assertGreaterEqual(len(wanted), 2)
         self.assertEqual(done.stderr.splitlines(),
                          [f"clod locus: preshear at 10.000 kPa: {text}" for text in wanted])
-        for text in ("A bulk density of 1.65 kg/m3 is outside", "is above the preshear stress"):
+        for text in ("Bulk densities from 1560 to 1650 kg/m3", "is above the preshear stress"):
             self.assertIn(text, done.stderr)
         self.write("points.csv", GOOD)
         self.assertEqual(self.locus("points.csv", "--csv").stderr, "")
@@ -148,6 +175,8 @@ class Locus(clod.Case):
         self.assertIn("rho_1       1000.0", self.locus("-", input=rho).stdout)
         self.assertAlmostEqual(json.loads(self.locus("-", "--json", input=rho).stdout)
                                ["compressibility"]["value"], 0.0413926852, places=9)
+        self.assertIn("clod locus: The points do not follow the law",
+                      self.locus("-", "--csv", input="sigma_1 [kPa],rho_b [kg/m3]\n2,1000\n4,100\n8,1400\n").stderr)
         again = self.locus("-", "--csv", input=rho).stdout
         self.assertEqual(self.locus("-", input=again).stdout, self.locus("-", input=rho).stdout)
 
@@ -162,6 +191,8 @@ class Locus(clod.Case):
         self.assertEqual([heap["angle_of_repose_error_deg"] for heap in found["heaps"]], [None] * 3)
         again = self.locus("-", "--csv", input=heaps).stdout
         self.assertEqual(self.locus("-", input=again).stdout, told)
+        self.assertIn("clod locus: angle_of_repose is 30.00 deg with a stated standard error of 40.00 deg",
+                      self.locus("-", "--csv", input="angle_of_repose [deg],angle_of_repose_error [deg]\n30,40\n").stderr)
         self.assertIn("a table of angles of repose has no preshear; leave out --tau-pre",
                       self.locus("-", "--tau-pre", "1kPa", input=heaps, code=2).stderr)
 
