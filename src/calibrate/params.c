@@ -181,7 +181,9 @@ static const clod_param ROWS[] = {
      CLOD_FROM(5, 1000),
      .example = "24",
      CLOD_AT(C, points),
-     .help = "Number of points of the design, in place of a budget.",
+     .help =
+         "Number of points, in place of a budget: two thirds are the design. From 8, and from 5 a parameter on, "
+         "surrogates are Gaussian processes; below, lines or quadratics.",
      .source = HOWTO},
     {.key = "seeds",
      .kind = CLOD_PARAM_INTEGER,
