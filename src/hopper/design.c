@@ -104,8 +104,11 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
             fabs(next - before) <= CLOD_CRITICAL_CLOSE * wish->tolerance * before) {
             return SLIDES;
         }
-        if (how == UNSETTLED || (how == STICKS && next <= before)) {
+        if (how == UNSETTLED) {
             return how;
+        }
+        if (how == STICKS && next <= before) { // but a steeper one of a smaller stress may slide
+            return flow_below(solid, wish, outlet, before, at);
         }
         // where it sticks above, a steeper hopper of a larger stress slides
         clod_bracket_narrow(&in, next > before);
