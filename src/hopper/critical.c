@@ -4,10 +4,8 @@
 
 #include "hopper/bracket.h"
 
-#define QUICK 20 ///< rounds after which bounds are halved
-#define NEAREST                                                                                \
-    (0.03 * M_PI /                                                                             \
-     180.0) ///< rad below a limit: nearer to it rows of the search for q step over the few that fit
+#define QUICK 20                      ///< rounds after which bounds are halved
+#define NEAREST (0.05 * M_PI / 180.0) ///< rad below a limit: nearer to it the search may miss q
 
 double clod_critical_limit(const clod_solid_state *state, double tolerance)
 {
