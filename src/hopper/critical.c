@@ -4,7 +4,8 @@
 
 #include "hopper/bracket.h"
 
-#define QUICK 20 ///< rounds after which bounds are halved
+#define QUICK 20                      ///< rounds after which bounds are halved
+#define NEAREST (0.05 * M_PI / 180.0) ///< rad below a limit: nearer to it the search may miss q
 
 double clod_critical_limit(const clod_solid_state *state, double tolerance)
 {
@@ -20,7 +21,7 @@ bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, 
     self->half_angle = wish->half_angle;
     if (wish->half_angle == 0.0) {
         self->limit = clod_critical_limit(&self->state, wish->tolerance);
-        self->half_angle = self->limit - wish->margin;
+        self->half_angle = self->limit - fmax(wish->margin, NEAREST);
     }
     const clod_radial field = {wish->shape, self->state.phi_e, self->state.phi_w,
                                wish->tolerance};

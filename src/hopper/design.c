@@ -51,18 +51,22 @@ typedef enum flow { SLIDES, STICKS, UNSETTLED } flow;
 static flow flow_below(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
                        double first, clod_hopper_design *at)
 {
+    const double close = CLOD_CRITICAL_CLOSE * wish->tolerance;
+    // near where the solid sticks below a given half angle, stresses hang on far less than that
+    const double closed = wish->half_angle > 0.0 ? 0.0 : close;
     clod_bracket in = clod_bracket_from(first);
     flow how = UNSETTLED;
     double slid = 0.0; // Pa: the last stress at which it did
     bool above = false;
-    for (int round = 0; round < CLOD_CRITICAL_ROUNDS; round++) {
+    for (int round = 0; round < CLOD_CRITICAL_ROUNDS && in.high > in.low * (1.0 + closed);
+         round++) {
         const double before = in.sigma_1;
         double next = 0.0;
         how = clod_critical_shape(solid, wish, before, at) ? SLIDES : STICKS;
         if (how == SLIDES) {
             slid = before;
             next = at->flow_factor * at->state.rho * CLOD_HOPPER_GRAVITY * outlet / at->arch;
-            if (fabs(next - before) <= CLOD_CRITICAL_CLOSE * wish->tolerance * before) {
+            if (fabs(next - before) <= close * before) {
                 return SLIDES;
             }
         }
@@ -104,8 +108,12 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
             fabs(next - before) <= CLOD_CRITICAL_CLOSE * wish->tolerance * before) {
             return SLIDES;
         }
-        if (how == UNSETTLED || (how == STICKS && next <= before)) {
+        if (how == UNSETTLED) {
             return how;
+        }
+        if (how == STICKS && next <= before) {
+            // but a steeper one of a smaller stress may slide
+            return flow_below(solid, wish, outlet, before, at);
         }
         // where it sticks above, a steeper hopper of a larger stress slides
         clod_bracket_narrow(&in, next > before);
@@ -114,16 +122,20 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
     return UNSETTLED;
 }
 
-/** The same from small stresses, or else from large ones. */
+/** The same from small stresses, or else from large ones, or that of so high a column of solid as the outlet is wide: outlets
+ *  that are wide may have larger ones than were measured. */
 static flow flow_at(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
                     clod_hopper_design *at)
 {
     const clod_curve *strength = &solid->strength;
+    const double last = strength->points[strength->count - 1].x;
+    const double column = clod_curve_at(&solid->rho, last) * CLOD_HOPPER_GRAVITY * outlet;
     *at = (clod_hopper_design){0};
-    const flow how = flow_from(solid, wish, outlet, clod_critical_first(solid, wish), at);
-    return how == SLIDES
-               ? how
-               : flow_from(solid, wish, outlet, strength->points[strength->count - 1].x, at);
+    flow how = flow_from(solid, wish, outlet, clod_critical_first(solid, wish), at);
+    if (how != SLIDES) {
+        how = flow_from(solid, wish, outlet, last, at);
+    }
+    return how == SLIDES || column <= last ? how : flow_from(solid, wish, outlet, column, at);
 }
 
 /**

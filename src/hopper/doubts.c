@@ -12,24 +12,6 @@
 #define READING (1.0 * DEGREE) // how well charts are read
 #define FEW 3 // degrees of freedom below which the scatter of specimens is hardly known
 
-/** A state outside what was measured. */
-static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *curve,
-                        const char *what, double stress)
-{
-    if (curve->count < 2) {
-        return;
-    }
-    const double low = curve->points[0].x;
-    const double high = curve->points[curve->count - 1].x;
-    if (stress < low * (1.0 - CLOD_DOUBTS_APART) || stress > high * (1.0 + CLOD_DOUBTS_APART)) {
-        clod_warning_list_add(
-            &self->warnings,
-            "%s: at the critical outlet %s is %.3f kPa, outside what was measured, %.3f to %.3f "
-            "kPa: an extrapolation.",
-            name, what, 1e-3 * stress, 1e-3 * low, 1e-3 * high);
-    }
-}
-
 /** An error as large as its value: another unit or column, as a rule. */
 static void warn_large_error(clod_hopper *self, const clod_curve *curve, const char *what,
                              const char *unit, double scale)
@@ -123,149 +105,6 @@ static void warn_angle(clod_hopper *self, const char *name, const clod_hopper_fo
     }
 }
 
-/** "208.2 mm (161.8 to 246.2)"; an end may be infinite. */
-static void put_critical(char text[96], const clod_hopper_value *outlet)
-{
-    char high[32] = "infinite";
-    if (isfinite(outlet->high)) {
-        snprintf(high, sizeof high, "%.1f", 1e3 * outlet->high);
-    }
-    snprintf(text, 96, "%.1f mm (%.1f to %s)", 1e3 * outlet->value, 1e3 * outlet->low, high);
-}
-
-/** An outlet that is given beside the critical one and its interval. */
-static void warn_planned(clod_hopper *self, const char *name, const clod_hopper_found *found)
-{
-    const clod_hopper_value *critical = &found->number[CLOD_HOPPER_OUTLET];
-    const double tail = 0.5 * (1.0 - self->from.interval.level);
-    const double planned = found->planned;
-    const double share = 100.0 * found->arching;
-    char outlet[96];
-    put_critical(outlet, critical);
-    const char *why =
-        clod_ranges_hold(&found->lower, planned)
-            ? "no arch stands over it, but one does above it, where the hopper is wider"
-        : found->design.sticks ? "the solid does not slide along the wall"
-                               : "it arches";
-    if (isinf(critical->value)) {
-        clod_warning_list_add(
-            &self->warnings,
-            "%s: the outlet of %.6g mm is not large enough, as none is: %s. %.1f %% of the "
-            "samples do not flow.",
-            name, 1e3 * planned, why, share);
-    } else if (planned < critical->value) {
-        clod_warning_list_add(&self->warnings,
-                              "%s: the outlet of %.6g mm is below the critical one, %s: %s%s. "
-                              "%.1f %% of the samples do not flow.",
-                              name, 1e3 * planned, outlet,
-                              planned < critical->low ? "" : "as measured ", why, share);
-    } else if (planned < critical->high) {
-        clod_warning_list_add(
-            &self->warnings,
-            "%s: the outlet of %.6g mm is inside the interval of the critical "
-            "one, %s: it may arch. %.1f %% of the samples do not flow.",
-            name, 1e3 * planned, outlet, share);
-    } else if (found->arching > tail) {
-        clod_warning_list_add(&self->warnings,
-                              "%s: %.1f %% of the samples do not flow through the outlet of "
-                              "%.6g mm with the half angle of %.1f deg.",
-                              name, share, 1e3 * planned, found->design.half_angle / DEGREE);
-    }
-}
-
-/** An outlet that is given beside the particles. */
-static void warn_particles(clod_hopper *self, const char *name, const clod_hopper_found *found)
-{
-    if (found->planned < found->mechanical) {
-        clod_warning_list_add(
-            &self->warnings,
-            "%s: the outlet of %.6g mm is below %d times the largest particle, "
-            "%.1f mm: particles may lock over it, whatever the strength is.",
-            name, 1e3 * found->planned, found->wish.shape == CLOD_RADIAL_CONE ? 8 : 4,
-            1e3 * found->mechanical);
-    }
-}
-
-/** The first of its outlets that is wider than the silo above. */
-static void warn_silo(clod_hopper *self, const char *name, const clod_hopper_found *found)
-{
-    const double diameter = self->silo.diameter;
-    const struct {
-        const char *what;
-        double outlet;
-    } of[] = {{"the outlet that is given", found->planned},
-              {"the critical outlet", found->number[CLOD_HOPPER_OUTLET].value},
-              {"the outlet by particles", found->mechanical}};
-    for (size_t k = 0; diameter > 0.0 && k < sizeof of / sizeof *of; k++) {
-        if (isfinite(of[k].outlet) && of[k].outlet > diameter) {
-            clod_warning_list_add(
-                &self->warnings,
-                "%s: %s, %.6g mm, is wider than the silo, %.6g mm (silo.diameter).", name,
-                of[k].what, 1e3 * of[k].outlet, 1e3 * diameter);
-            return;
-        }
-    }
-}
-
-/** Why an outlet that is given has no stress over strength. */
-static void warn_no_margin(clod_hopper *self, const char *name, const clod_hopper_found *found)
-{
-    clod_hopper_wish built = found->wish;
-    built.half_angle = found->design.half_angle;
-    const clod_hopper_margin at = clod_hopper_margin_of(&self->solid, &built, found->planned);
-    char why[256];
-    if (found->design.outcome == CLOD_HOPPER_FUNNEL) {
-        snprintf(why, sizeof why,
-                 "it is funnel flow, where a rathole decides in place of an arch");
-    } else if (at.sticks) {
-        snprintf(
-            why, sizeof why,
-            "the solid would have to slide along a wall of %.1f deg where sigma_1 is %.3f kPa, "
-            "and does not; so it does not flow",
-            built.half_angle / DEGREE, 1e-3 * at.state.sigma_1);
-    } else {
-        snprintf(
-            why, sizeof why,
-            "no state of flow was found: the measured properties change too much with stress");
-    }
-    clod_warning_list_add(&self->warnings,
-                          "%s: the outlet of %.6g mm has no stress over strength: %s.", name,
-                          1e3 * found->planned, why);
-}
-
-/** Mass flow as measured, and not in too many samples. */
-static void warn_samples(clod_hopper *self, const char *name, const clod_hopper_found *found)
-{
-    const double *share = found->share;
-    const double tail = 0.5 * (1.0 - self->from.interval.level);
-    const bool flows = found->design.outcome == CLOD_HOPPER_FLOWS ||
-                       found->design.outcome == CLOD_HOPPER_NO_ARCH;
-    if (flows && 1.0 - share[CLOD_HOPPER_FLOWS] - share[CLOD_HOPPER_NO_ARCH] > tail) {
-        char told[CLOD_WORDS_MOST];
-        clod_words_shares(found, told);
-        clod_warning_list_add(
-            &self->warnings,
-            "%s: mass flow is what the means of the measured properties say; within their errors it "
-            "is not certain. Samples: %s.",
-            name, told);
-    }
-}
-
-static void warn_outlet(clod_hopper *self, const char *name, const clod_hopper_found *found)
-{
-    if (found->planned <= 0.0) {
-        warn_samples(self, name, found);
-        return;
-    }
-    if (found->design.outcome != CLOD_HOPPER_FUNNEL) {
-        warn_planned(self, name, found);
-    }
-    warn_particles(self, name, found);
-    if (isnan(found->number[CLOD_HOPPER_MARGIN].value)) {
-        warn_no_margin(self, name, found);
-    }
-}
-
 static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
     const clod_hopper_design *at = &found->design;
@@ -279,15 +118,10 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
     clod_doubts_wall(self, name, found);
     clod_doubts_no_arch(self, name, found);
     clod_doubts_ranges(self, name, found);
-    if (clod_hopper_is_critical(at)) {
-        warn_beyond(self, name, &self->solid.strength, "sigma_1", at->state.sigma_1);
-        warn_beyond(self, name, &self->solid.wall, "the normal stress at the wall",
-                    at->state.sigma_w);
-    }
+    clod_doubts_beyond(self, name, found);
     warn_angle(self, name, found);
     warn_limit(self, name, found);
-    warn_silo(self, name, found);
-    warn_outlet(self, name, found);
+    clod_doubts_outlet(self, name, found);
 }
 
 static bool has_errors(const clod_curve *curve)
@@ -361,6 +195,7 @@ static void warn_rathole(clod_hopper *self)
             warn_hole(self, CLOD_HOPPER_FILLING);
         }
     }
+    clod_doubts_beyond_holes(self);
     clod_doubts_holes(self);
     if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
         clod_warning_list_add(

@@ -13,7 +13,8 @@
 /**
  * Refuse what cannot be.
  *
- * Errors  CLOD_USAGE: a property is missing, two points at one stress, phi_e below phi_t.
+ * Errors  CLOD_USAGE: a property is missing, two points at one stress, phi_e below phi_t, a wall yield locus that falls
+ *         or has below 1 deg.
  * Threads  pure.   Test  tests/hopper/test_refusals.py
  */
 bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clod_solid *solid,
@@ -56,6 +57,25 @@ void clod_doubts_no_arch(clod_hopper *self, const char *name, const clod_hopper_
  */
 void clod_doubts_ranges(clod_hopper *self, const char *name, const clod_hopper_found *found);
 void clod_doubts_holes(clod_hopper *self);
+
+/**
+ * Note stresses of the design outside what was measured: at the critical outlet, at the one that is built and the one
+ * that is given; and of an outlet of so large a stress that its length may be in another unit.
+ *
+ * Test  tests/hopper/test_beyond.py
+ */
+void clod_doubts_beyond(clod_hopper *self, const char *name, const clod_hopper_found *found);
+
+/** The same of ratholes. */
+void clod_doubts_beyond_holes(clod_hopper *self);
+
+/**
+ * Note what the samples say of mass flow, and of the outlet that is given beside the critical one, the particles and
+ * the silo.
+ *
+ * Test  tests/hopper/test_outlet.py, test_doubts.py
+ */
+void clod_doubts_outlet(clod_hopper *self, const char *name, const clod_hopper_found *found);
 
 /**
  * Note where the wall decides by what was not measured, or another stress asks for another angle.

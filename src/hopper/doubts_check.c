@@ -8,6 +8,9 @@
 #include "hopper/doubts.h"
 
 #define DEGREE (M_PI / 180.0)
+#define LEAST_PHI_W (1.0 * DEGREE) // docs/theory/hopper.md
+#define FIRM 2.0                   // standard errors
+#define FALLS 0.1                  // of a shear stress: repeats without errors may differ by it
 
 /** A property that has to come from somewhere. */
 static bool is_known(const char *path, const clod_curve *curve, const char *key,
@@ -74,6 +77,44 @@ static bool check_angles(const char *path, const clod_solid *solid, clod_status 
     return true;
 }
 
+/** Shear stresses at a wall do not fall while the normal stress rises: columns, rows or units are wrong. */
+static bool check_rise(const clod_hopper_case *from, const clod_curve *wall,
+                       clod_status *status)
+{
+    for (size_t i = 1; i < wall->count; i++) {
+        const clod_curve_point *q = &wall->points[i];
+        for (size_t k = 0; k < i; k++) {
+            const clod_curve_point *p = &wall->points[k];
+            if (p->y - q->y > fmax(FIRM * hypot(p->y_error, q->y_error), FALLS * p->y)) {
+                return clod_status_fail(
+                    status, CLOD_USAGE,
+                    "%s: the wall yield locus falls: tau_w is %.6g kPa at sigma_w %.6g kPa, and %.6g kPa at "
+                    "%.6g kPa. No wall bears less shear stress under more load. Look at the points: their "
+                    "columns, their units, whether shear was steady.",
+                    from->wall.file, 1e-3 * p->y, 1e-3 * p->x, 1e-3 * q->y, 1e-3 * q->x);
+            }
+        }
+    }
+    return true;
+}
+
+/** A wall so smooth that its angle is another unit, as a rule: the hopper would be far too flat. */
+static bool check_smooth(const clod_hopper_case *from, const char *path, const clod_curve *wall,
+                         clod_status *status)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < wall->count; i++) {
+        most = fmax(most, atan2(wall->points[i].y, wall->points[i].x));
+    }
+    return most >= LEAST_PHI_W ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: the wall friction angle is %.3g deg%s. No wall is as smooth: even ice has more "
+               "than 1 deg. Is its unit another one, rad in place of deg for instance?",
+               from->wall.file != NULL ? from->wall.file : path, most / DEGREE,
+               wall->count > 1 ? " at most" : "");
+}
+
 bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clod_solid *solid,
                        clod_status *status)
 {
@@ -82,6 +123,8 @@ bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clo
            is_known(path, &solid->rho, "bulk_density", "rho_b", status) &&
            check_strength(path, &solid->strength, status) &&
            are_apart(path, &solid->wall, "wall_friction", average, status) &&
+           check_rise(from, &solid->wall, status) &&
+           check_smooth(from, path, &solid->wall, status) &&
            (!from->phi_e.present ||
             are_apart(path, &solid->phi_e, "effective_friction", average, status)) &&
            (!from->rho.present ||

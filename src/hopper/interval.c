@@ -20,6 +20,7 @@ typedef struct sample {
     clod_hopper_outcome outcome[CLOD_HOPPER_SHAPES];
     double number[CLOD_HOPPER_SHAPES][CLOD_HOPPER_NUMBERS];
     bool flows[CLOD_HOPPER_SHAPES]; ///< through the planned outlet
+    bool held[CLOD_HOPPER_SHAPES];  ///< at it, by the wall
     double hole[CLOD_HOPPER_HOLES];
     double drawn[CLOD_HOPPER_SHAPES][CLOD_SOLID_CURVES]; ///< at the critical state as measured
 } sample;
@@ -99,7 +100,8 @@ static void design_sample(const task *self, const clod_solid *solid,
         found.wish.first = found.design.state.sigma_1;
         clod_interval_numbers(solid, &found, &to->outcome[s], to->number[s]);
         double *margin = &to->number[s][CLOD_HOPPER_MARGIN];
-        if (asked_for_margin(&found) && isnan(*margin)) {
+        to->held[s] = asked_for_margin(&found) && isnan(*margin);
+        if (to->held[s]) {
             *margin = 0.0; // what does not slide does not flow
         }
         to->flows[s] = flows_through(solid, &found, to->number[s]);
@@ -346,15 +348,17 @@ static void put_causes(const task *self, int s, const rooms *room, clod_hopper_f
 static void put_shares(const task *self, int s, clod_hopper_found *found)
 {
     size_t of[CLOD_HOPPER_OUTCOMES] = {0};
-    size_t arching = 0;
+    size_t arching = 0, held = 0;
     for (size_t i = 0; i < self->count; i++) {
         of[self->samples[i].outcome[s]]++;
         arching += self->samples[i].flows[s] ? 0 : 1;
+        held += self->samples[i].held[s] ? 1 : 0;
     }
     for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
         found->share[k] = (double)of[k] / (double)self->count;
     }
     found->arching = (double)arching / (double)self->count;
+    found->held = (double)held / (double)self->count;
 }
 
 static void collect(const task *self, const rooms *all, clod_hopper *to)

@@ -52,7 +52,8 @@ typedef struct clod_hopper_found {
     double arched_low,
         arched_high;   ///< m: interval of the outlet of those that have a critical one;
                        ///< NAN: none has
-    double arching;    ///< share of the samples in which the planned outlet arches
+    double arching;    ///< share of the samples that do not flow through the planned outlet
+    double held;       ///< share of those that the wall holds there, the rest arches
     double mechanical; ///< m: outlet at which large particles do not arch; 0: not known
     double
         quantile[CLOD_HOPPER_QUANTILES]; ///< m: outlets of the samples, as CLOD_HOPPER_OUTLET;

@@ -13,6 +13,7 @@
 #include "hopper/line_fit.h"
 #include "hopper/loci.h"
 #include "hopper/storage.h"
+#include "hopper/table_kind.h"
 #include "hopper/wall.h"
 
 typedef clod_loci_row row;
@@ -397,7 +398,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
                       clod_status *status)
 {
     *solid = (clod_solid){0};
-    if (!read_strength(from, solid, notes, status)) {
+    if (!clod_table_kind_check(from, status) || !read_strength(from, solid, notes, status)) {
         return false;
     }
     warn_blanks(from, solid, notes);

@@ -15,6 +15,19 @@ static bool is_beyond(const clod_hopper_found *found)
     return found->wish.limit > 0.0 && found->wish.half_angle > found->wish.limit;
 }
 
+/** Beside the verdict of mass flow, that too many samples do not have it. */
+static void put_doubt(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
+{
+    const clod_hopper_outcome outcome = found->design.outcome;
+    const bool flows = outcome == CLOD_HOPPER_FLOWS || outcome == CLOD_HOPPER_NO_ARCH;
+    if (flows && found->share[CLOD_HOPPER_FUNNEL] > CLOD_WORDS_SOME) {
+        const size_t used = strlen(text);
+        snprintf(text + used, CLOD_WORDS_MOST - used,
+                 " But %.1f %% of the samples are in funnel flow: see the warnings.",
+                 100.0 * found->share[CLOD_HOPPER_FUNNEL]);
+    }
+}
+
 void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
 {
     static const char *const WORDS[CLOD_HOPPER_OUTCOMES] = {
@@ -58,6 +71,7 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
     } else {
         snprintf(text, CLOD_WORDS_MOST, "%s", WORDS[at->outcome]);
     }
+    put_doubt(found, text);
 }
 
 /** "the wall friction angle is 24.1 deg", or that there is none. */

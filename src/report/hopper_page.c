@@ -37,6 +37,48 @@ static void tell(char text[240], const clod_hopper_field *how, const clod_hopper
              how->unit[0] != '\0' ? " " : "", how->unit);
 }
 
+/** Which outlet the half angle is for: that of the wish or of the particles, where they are not below the critical one. */
+static double least_of(const clod_hopper_found *found)
+{
+    const double least = fmax(found->planned, found->mechanical);
+    return found->design.built <= least ? least : 0.0;
+}
+
+/** "an outlet of 500.0 mm or wider" */
+static void tell_outlet(char text[64], const clod_hopper_found *found)
+{
+    const double least = least_of(found);
+    if (least > 0.0) {
+        snprintf(text, 64, "an outlet of %.1f mm or wider", 1e3 * least);
+    } else {
+        snprintf(text, 64, "the critical outlet or a wider one");
+    }
+}
+
+/** ". With this outlet the half angle is 19.1 in place of 20.5 deg, as measured", of one below that of the half angle. */
+static void tell_steeper(char text[176], const clod_hopper *design,
+                         const clod_hopper_found *found, double build)
+{
+    const double least = least_of(found);
+    clod_hopper_wish wish = found->wish;
+    text[0] = '\0';
+    if (wish.half_angle > 0.0 || wish.limit > 0.0 || !(build < least)) {
+        return;
+    }
+    wish.outlet = build;
+    wish.least = 0.0;
+    const clod_hopper_design at = clod_hopper_design_shape(&design->solid, &wish);
+    if (at.outcome == CLOD_HOPPER_FLOWS || at.outcome == CLOD_HOPPER_NO_ARCH) {
+        const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_HALF_ANGLE];
+        char here[48], there[48];
+        clod_hopper_cells_text(here, how, at.half_angle);
+        clod_hopper_cells_text(there, how, found->design.half_angle);
+        snprintf(text, 176,
+                 ". With this outlet the half angle is %s in place of %s deg, as measured",
+                 here, there);
+    }
+}
+
 static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_found *found)
 {
     const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_HALF_ANGLE];
@@ -53,12 +95,19 @@ static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_fo
     }
     tell(numbers, how, angle);
     const double safe = 50.0 * (1.0 + design->from.interval.level);
-    snprintf(caption, sizeof caption,
-             angle->low > 0.0
-                 ? "half angle to build, at most, from the vertical: right for %.3g %% of the "
-                   "samples. %s"
-                 : "half angle to build: none is right for %.3g %% of the samples. %s",
-             safe, numbers);
+    char outlet[64];
+    tell_outlet(outlet, found);
+    if (angle->low > 0.0) {
+        snprintf(
+            caption, sizeof caption,
+            "half angle to build, at most, from the vertical, for %s: right for %.3g %% of "
+            "the samples. %s",
+            outlet, safe, numbers);
+    } else {
+        snprintf(caption, sizeof caption,
+                 "half angle to build: none is right for %.3g %% of the samples, for %s. %s",
+                 safe, outlet, numbers);
+    }
     put_card(out, how, angle->low, caption);
 }
 
@@ -88,19 +137,20 @@ static void put_outlet(FILE *out, const clod_hopper *design, const clod_hopper_f
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
     const double build =
         isnan(outlet->high) ? outlet->high : fmax(outlet->high, found->mechanical);
-    char numbers[240], particles[96] = "", alone[128], caption[640];
+    char numbers[240], particles[96] = "", alone[128], steeper[176], caption[768];
     tell(numbers, how, outlet);
+    tell_steeper(steeper, design, found, build);
     tell_alone(alone, design, (int)found->wish.shape);
     if (found->mechanical > 0.0) {
         snprintf(particles, sizeof particles, "; %s times the largest particle: %.1f mm",
                  cone ? "8" : "4", how->scale * found->mechanical);
     }
-    snprintf(caption, sizeof caption, "%s to build, at least%s. Critical outlet: %s%s%s",
+    snprintf(caption, sizeof caption, "%s to build, at least%s. Critical outlet: %s%s%s%s",
              cone ? "diameter of the outlet" : "width of the slot",
              found->design.outcome == CLOD_HOPPER_UNPROVEN
                  ? ", if a chart for wedges shows mass flow"
                  : "",
-             numbers, particles, alone);
+             numbers, particles, alone, steeper);
     put_card(out, how, build, caption);
 }
 

@@ -102,7 +102,7 @@ class Doubts(hopper_case.Case):
                                        words="rho_b falls from 1265 kg/m3 at sigma_1 6 kPa to 900 kg/m3 at 12 kPa")), 1)
 
     def test_stresses_and_angles_in_other_units(self):
-        """3 and 12 kPa under a header in MPa or Pa, wall stresses of kPa under one in Pa, and 22 deg in rad."""
+        """3 and 12 kPa under a header in MPa or Pa, wall stresses of kPa under one in Pa, and an angle that hardly a wall has."""
         usual = "3,0,1,0,48,0,38,1250,0", "12,0,3,0,48,0,38,1350,0"
         large = "3000,0,1000,0,48,0,38,1250,0", "12000,0,3000,0,48,0,38,1350,0"
         words = "Flow function: all its sigma_1 are above 1 MPa"
@@ -118,9 +118,9 @@ class Doubts(hopper_case.Case):
         self.assertEqual(len(walls("Pa", "Wall friction: all its sigma_w are below 100 Pa, less than testers can do")), 1)
         self.assertEqual(len(walls("MPa", "Wall friction: sigma_w of 1000 to 1.6e+04 kPa lie far from sigma_1 of the flow function, 3 to 12 kPa")), 1)
         self.assertEqual(walls("kPa", "Wall friction: "), [])
-        told = self.told(*usual, words="Wall friction: the angle", arguments=("--set", "wall_friction={angle: 0.38 deg}"))
+        told = self.told(*usual, words="Wall friction: the angle", arguments=("--set", "wall_friction={angle: 2.9 deg}"))
         self.assertEqual(len(told), 1)
-        self.assertIn("the angle is 0.38 deg. The smoothest liners have some 6 deg", told[0])
+        self.assertIn("the angle is 2.9 deg. The smoothest liners have some 6 deg", told[0])
 
     def test_mass_flow_that_half_of_the_samples_do_not_have(self):
         """A wall of 41 deg, the limit of a solid whose phi_e is 48 deg, with an error of 5 deg: the mean slides, samples beyond do not."""

@@ -55,13 +55,14 @@ class Outlet(clod.Case):
             numbers = f"{1e3 * value:.1f} mm ({1e3 * low:.1f} to {1e3 * high:.1f}): "
             for length, kind, words in ((0.9 * low, KINDS[0], numbers + "it arches. "),
                                         (0.5 * (low + value), KINDS[0], numbers + "as measured it arches. "),
-                                        (0.5 * (value + high), KINDS[1], numbers + "it may arch. ")):
+                                        (0.5 * (value + high), KINDS[1], numbers[:-2] + ". ")):
                 found, said, why = self.outlet(shape, length)
                 self.assertEqual(([one for one, _ in said], why), ([kind], []), said)
                 share = 100.0 * found["planned_outlet_arching_share"]
                 self.assertTrue(share > 5.0)
                 self.assertIn(f"{shape.capitalize()}: the outlet of {1e3 * length:.6g} mm is ", said[0][1])
-                self.assertTrue(said[0][1].endswith(words + f"{share:.1f} % of the samples do not flow."), said)
+                why = ": an arch stands" if kind == KINDS[1] else ""
+                self.assertTrue(said[0][1].endswith(words + f"{share:.1f} % of the samples do not flow{why}."), said)
             self.assertEqual(self.outlet(shape, 1.5 * high)[1:], ([], []))
 
     def test_an_outlet_that_is_not_given_is_not_spoken_of(self):
@@ -118,6 +119,46 @@ class Outlet(clod.Case):
         self.assertAlmostEqual(share, 0.5, delta=0.15)
         self.assertEqual([kind for kind, _ in said], [KINDS[2]])
         self.assertIn(f"Cone: {100 * share:.1f} % of the samples do not flow through the outlet of", said[0][1])
+
+    def test_a_wall_that_samples_do_not_slide_along(self):
+        """A wall of 20 deg with an error of 5: the limit of a cone with phi_e 46 to 48 deg is 26 deg there, and falls by some 1.7 deg
+        for each of the wall, so 23 deg are too flat where the wall is drawn some 0.35 errors too rough, in a third. No solid of
+        these arches over 1 m, where 260 mm are critical."""
+        self.start(wall="wall_friction: {angle: 20 deg, error: 5 deg}\n")
+        found, said, _ = self.outlet("cone", 1.0, "--set", "cone.half_angle=23 deg")
+        share = 100.0 * found["planned_outlet_arching_share"]
+        self.assertTrue(15.0 < share < 50.0, share)
+        self.assertEqual(len(said), 1, said)
+        self.assertTrue(said[0][1].endswith(f"{share:.1f} % of the samples do not flow: the solid does not slide along the wall."), said)
+        told = self.design("--set", "cone={half_angle: 23 deg, outlet: 1 m}")
+        funnel = 100.0 * told["cone"]["sample_shares"]["funnel_flow"]
+        self.assertTrue([text for text in told["warnings"] if text.startswith("Cone: mass flow is what the means") and
+                         f"{funnel:.1f} % in funnel flow" in text], told["warnings"])
+        page = " ".join(clod.run("hopper", "case.yaml", "--set", "interval.samples=200", "--set", "cone={half_angle: 23 deg, outlet: 1 m}",
+                                 cwd=self.folder).stdout.split())
+        self.assertIn(f"But {funnel:.1f} % of the samples are in funnel flow: see the warnings.", page)
+
+    def test_samples_that_arch_and_samples_that_stick(self):
+        """Over an outlet near the critical one both happen, and the two shares make the whole."""
+        self.start(wall="wall_friction: {angle: 20 deg, error: 5 deg}\n")
+        critical = self.design("--set", "cone.half_angle=23 deg")["cone"]["outlet_m"]["value"]
+        _, said, _ = self.outlet("cone", 1.01 * critical, "--set", "cone.half_angle=23 deg")
+        told = re.search(r"(?P<all>[0-9.]+) % of the samples do not flow: an arch stands in (?P<arch>[0-9.]+) %, and in "
+                         r"(?P<wall>[0-9.]+) % the solid does not slide along the wall\.$", said[0][1])
+        self.assertTrue(told, said)
+        self.assertAlmostEqual(float(told["all"]), float(told["arch"]) + float(told["wall"]), delta=0.11)
+        self.assertTrue(float(told["arch"]) > 5.0 and float(told["wall"]) > 5.0, said)
+
+    def test_an_outlet_that_flows_in_all_samples_may_not_arch(self):
+        """Particles of 3 m make the samples' own half angles so flat that the wall's outlets reach up to a metre and more; with the one
+        angle of the design all of them flow."""
+        self.start(wall=ADHESIVE, more="largest_particle: 3 m\n")
+        with open(self.path("wall.csv"), "w") as file:
+            file.write("sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n1,0.44,0.02\n2,0.83,0.03\n4,1.60,0.05\n8,3.15,0.08\n16,6.20,0.15\n")
+        length = 0.95 * self.design()["cone"]["outlet_m"]["high"]
+        found, said, _ = self.outlet("cone", length)
+        self.assertTrue(found["outlet_m"]["value"] < length < found["outlet_m"]["high"])
+        self.assertEqual((found["planned_outlet_arching_share"], said), (0.0, []))
 
     @clod.quick_only
     def test_large_particles(self):

@@ -147,6 +147,49 @@ class Refusals(hopper_case.Case):
                     ["two points at nearly the same stress", "curve: line"],
                     rows="2,1.4,0,48,40,1250\n2.01,1.5,0,48,40,1250\n8,2.9,0,46,40,1350\n")
 
+    def test_walls_that_cannot_be(self):
+        """Two standard errors of hypot(0.03, 0.04) = 0.05 kPa are 0.1; without errors a tenth of 0.6 kPa is allowed."""
+        case = CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}")
+        head = "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n"
+
+        def falls(points, expected):
+            self.write("wall.csv", head + points)
+            if expected:
+                self.refuse(case, [f"wall.csv: the wall yield locus falls: tau_w is {expected}", "columns, their units"])
+            else:
+                self.start(case)
+                self.found()
+
+        falls("1,1.6,0\n4,0.6,0\n", "1.6 kPa at sigma_w 1 kPa, and 0.6 kPa at 4 kPa")
+        falls("1,0.4,0\n4,1.6,0\n8,1.2,0\n", "1.6 kPa at sigma_w 4 kPa, and 1.2 kPa at 8 kPa")
+        falls("1,0.6,0\n2,0.55,0\n4,1.6,0\n", "")
+        falls("1,0.6,0\n2,0.53,0\n4,1.6,0\n", "0.6 kPa at sigma_w 1 kPa, and 0.53 kPa at 2 kPa")
+        falls("1,0.6,0.03\n2,0.51,0.04\n4,1.6,0.1\n", "")
+        falls("1,0.6,0.03\n2,0.49,0.04\n4,1.6,0.1\n", "0.6 kPa at sigma_w 1 kPa, and 0.49 kPa at 2 kPa")
+        # 21.2 deg are 0.37 rad; of a table, tan(0.99 deg) is 0.01728
+        self.refuse(CASE.replace("20 deg", "0.37 deg"), ["case.yaml: the wall friction angle is 0.37 deg. No wall is as smooth", "rad"])
+        self.write("wall.csv", head + "1,0.01,0\n4,0.06912,0\n")
+        self.refuse(case, ["wall.csv: the wall friction angle is 0.99 deg at most"])
+        self.write("wall.csv", head + "1,0.01,0\n4,0.072,0\n")
+        self.start(case)
+        self.assertTrue([text for text in self.found()["warnings"] if "The smoothest liners have some 6 deg" in text])
+
+    def test_tables_of_another_kind(self):
+        """Each says what it is, and where it belongs."""
+        self.write("shear.csv", "# laboratory\nsigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n5,3,2,1.7\n5,3,4,2.6\n")
+        self.write("wall.csv", "sigma_w [kPa],tau_w [kPa]\n1,0.4\n4,1.6\n")
+        shear = "shear points (sigma_pre, tau_pre, sigma_sh, tau_sh), which belongs in flow_function.shear_tests"
+        wall = "wall friction (sigma_w, tau_w), which belongs in wall_friction.file"
+        flow = "a flow function or bulk densities (sigma_1), which belongs in flow_function.file or bulk_density.file"
+        self.start()
+        for key, table, what in (("wall_friction", "shear", shear), ("wall_friction", "flow", flow),
+                                 ("flow_function", "wall", wall), ("bulk_density", "wall", wall),
+                                 ("effective_friction", "shear", shear), ("static_friction", "wall", wall)):
+            done = self.hopper("case.yaml", "--set", f"{key}={{file: {table}.csv}}", code=2)
+            self.assertIn(f"{table}.csv: is a table of {what}; {key}.file takes ", done.stderr)
+        done = self.hopper("case.yaml", "--set", "flow_function={shear_tests: [{points: wall.csv}]}", code=2)
+        self.assertIn(f"wall.csv: is a table of {wall}; flow_function.shear_tests takes shear points", done.stderr)
+
     def test_the_command_line(self):
         self.assertIn("which case?", self.hopper(code=2).stderr)
         self.start()

@@ -77,7 +77,7 @@ class WallDecides(hopper_case.Case):
             self.start()
             other = self.found("--set", f"cone={{half_angle: {angle} deg, outlet: {1e3 * times * cone['outlet_m']['value']} mm}}")
             self.assertEqual(other["cone"]["arching_margin"]["value"] is None, sticks)
-            said = self.told(other, "Cone", "the solid does not slide along the wall.")
+            said = self.told(other, "Cone", "as measured the solid does not slide along the wall.")
             self.assertEqual(len(said), sticks, other["warnings"])
 
     def test_without_an_outlet_the_smallest_measured_stress_is_taken(self):

@@ -115,8 +115,16 @@ class HopperPage(clod.Case):
                                (told[2], f"the outlet asked for, 500.0 mm: above 1 it breaks. As measured {margin['value']:.2f}, "
                                 f"within the errors {margin['low']:.2f} to {margin['high']:.2f}; "
                                 f"{100 * cone['planned_outlet_arching_share']:.1f} % of the samples do not flow"),
-                               (told[6], f"{1e-3 * hole['filling_stress_Pa']:.3f} kPa below 8 m of solid in a silo of 3 m")):
+                               (told[6], f"{1e-3 * hole['filling_stress_Pa']:.3f} kPa below 8 m of solid in a silo of 3 m"),
+                               (told[0], "from the vertical, for an outlet of 500.0 mm or wider: right"),
+                               (told[3], "from the vertical, for the critical outlet or a wider one: right")):
             self.assertIn(words, caption)
+        # the angle of 500 mm is none for the smaller outlet to build: that of a design with this outlet is
+        _, smaller = self.design("--set", f"cone.outlet={1e3 * outlet['high']} mm")
+        steeper = smaller["cone"]["half_angle_deg"]["value"]
+        self.assertLess(steeper, angle["value"] - 0.5)
+        self.assertTrue(told[1].endswith(f"With this outlet the half angle is {steeper:.1f} in place of {angle['value']:.1f} deg, as measured"), told[1])
+        self.assertNotIn("With this outlet", told[4])
         # particles decide where they need more than cohesion
         page, found = self.design("--set", "largest_particle=50 mm")
         self.assertEqual(pages.cards(page.text)[1][:3], ("0.4", "400.0", "mm"))

@@ -1,0 +1,45 @@
+"""clod hopper with a margin of nothing: a hopper at its limit of mass flow is mass flow, since that is what the limit is."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import hopper_case
+from hopper_case import ROWS, clod
+
+CASE = "flow_function: {file: flow.csv}\nwall_friction: {file: wall.csv}\n"
+WALL = "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n1,0.44,0.02\n2,0.83,0.03\n4,1.60,0.05\n8,3.15,0.08\n16,6.20,0.15\n"
+NEAREST = 0.05  # deg: nearer to its limit no half angle is made, docs/theory/hopper.md
+
+
+class Margin(hopper_case.Case):
+
+    def design(self, margin, outlet):
+        outlets = [word for shape in ("cone", "wedge") if outlet for word in ("--set", f"{shape}.outlet={outlet} mm")]
+        return self.found("--set", f"margin={margin} deg", *outlets)
+
+    def test_at_the_limit_it_is_mass_flow(self):
+        self.start(CASE, ROWS)
+        self.write("wall.csv", WALL)
+        for outlet in (None, 300, 500, 2000):
+            found = self.design(0, outlet)
+            near = self.design(0.2, outlet)
+            for shape in ("cone", "wedge"):
+                self.assertEqual(found[shape]["outcome"], "flows", (outlet, shape))
+                limit, angle = (found[shape][key]["value"] for key in ("limit_deg", "half_angle_deg"))
+                self.assertAlmostEqual(limit - angle, NEAREST, delta=1e-6)
+                # 0.15 deg further from it: the angle is as much smaller, and the limit, at nearly the same stress, hardly
+                self.assertAlmostEqual(angle - near[shape]["half_angle_deg"]["value"], 0.2 - NEAREST, delta=0.1)
+                # at the outlet that is built the solid slides, so the smallest one at which it does is not larger
+                if outlet is not None and 1e3 * found[shape]["outlet_m"]["value"] <= outlet:
+                    self.assertAlmostEqual(1e3 * found[shape]["design_state"]["outlet_m"], outlet, delta=1e-6)
+                    self.assertIsNotNone(found[shape]["arching_margin"]["value"])
+
+    def test_a_wall_of_one_angle(self):
+        self.start()
+        for shape in ("cone", "wedge"):
+            self.assertEqual(self.design(0, 600)[shape]["outcome"], "flows")
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
