@@ -1,6 +1,7 @@
 #include "clod/measured.h"
 
 #include <ctype.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -100,6 +101,24 @@ clod_measured_stress clod_measured_stress_of(const char *text, size_t length)
         }
     }
     return has(header, "sigma_1") ? CLOD_MEASURED_OF_SIGMA_1 : CLOD_MEASURED_OF_NONE;
+}
+
+const char *const CLOD_MEASURED_STRESS_NAMES[] = {
+    [CLOD_MEASURED_OF_SHEAR] = "shear points (sigma_pre, tau_pre, sigma_sh, tau_sh)",
+    [CLOD_MEASURED_OF_WALL] = "wall friction (sigma_w, tau_w)",
+    [CLOD_MEASURED_OF_SIGMA_1] = "a flow function or bulk densities (sigma_1)"};
+
+clod_measured_stress clod_measured_stress_in(const char *path)
+{
+    char *text;
+    size_t length;
+    clod_status ignored = {0};
+    if (!clod_input_read_regular(path, SIZE_MAX, &text, &length, &ignored)) {
+        return CLOD_MEASURED_OF_NONE;
+    }
+    const clod_measured_stress found = clod_measured_stress_of(text, length);
+    clod_memory_free(text);
+    return found;
 }
 
 /** A table that is none of the kinds, but known. */

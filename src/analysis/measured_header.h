@@ -18,5 +18,11 @@ typedef enum clod_measured_stress {
 /** Of the first line that is no comment. Threads  pure.   Test  tests/calibrate/test_plan_curves.c */
 clod_measured_stress clod_measured_stress_of(const char *text, size_t length);
 
+/** What the tables of each are, for messages: "wall friction (sigma_w, tau_w)"; NULL of none. */
+extern const char *const CLOD_MEASURED_STRESS_NAMES[];
+
+/** Of a regular file; CLOD_MEASURED_OF_NONE for any other, a pipe can be read once only. Threads  pure. */
+clod_measured_stress clod_measured_stress_in(const char *path);
+
 /** Whether that line has a column of this name, in small letters. Threads  pure.   Test  tests/analysis/test_wall_points.c */
 bool clod_measured_has(const char *text, size_t length, const char *name);

@@ -3,8 +3,6 @@
 #include <string.h>
 
 #include "analysis/measured_header.h"
-#include "base/input.h"
-#include "base/memory.h"
 #include "config/testers.h"
 #include "report/cards.h"
 #include "report/compare_figures.h"
@@ -79,22 +77,12 @@ const clod_run_kind *clod_run_kinds_of(const char *complete)
 /** Whether a laboratory's table is not plainly of another kind than the run; its reader tells the rest. */
 static bool is_of_kind(const char *path, const clod_run_files *run, clod_status *status)
 {
-    static const char *const TABLES[] = {
-        [CLOD_MEASURED_OF_SHEAR] = "shear points (sigma_pre, tau_pre, sigma_sh, tau_sh)",
-        [CLOD_MEASURED_OF_WALL] = "wall friction (sigma_w, tau_w)",
-        [CLOD_MEASURED_OF_SIGMA_1] = "a flow function or bulk densities (sigma_1)"};
-    char *text;
-    size_t length;
-    clod_status ignored = {0};
-    if (!clod_input_read_regular(path, SIZE_MAX, &text, &length, &ignored)) {
-        return true; // a pipe can be read once only
-    }
-    const clod_measured_stress found = clod_measured_stress_of(text, length);
-    clod_memory_free(text);
+    const clod_measured_stress found = clod_measured_stress_in(path);
     return found == CLOD_MEASURED_OF_NONE || found == run->kind->stress ||
-           clod_status_fail(
-               status, CLOD_USAGE, "--lab %s: is a table of %s; the page of %s (%s) takes %s.",
-               path, TABLES[found], run->folder, run->kind->text, TABLES[run->kind->stress]);
+           clod_status_fail(status, CLOD_USAGE,
+                            "--lab %s: is a table of %s; the page of %s (%s) takes %s.", path,
+                            CLOD_MEASURED_STRESS_NAMES[found], run->folder, run->kind->text,
+                            CLOD_MEASURED_STRESS_NAMES[run->kind->stress]);
 }
 
 json_t *clod_run_kinds_lab(const char *path, const clod_run_files *run, clod_status *status)
