@@ -21,7 +21,7 @@ class Recovery(clod.Case):
         inside, of, width = re.search(r"(\d+) of (\d+) intervals hold the truth; their mean width is (\S+)", done.stdout).groups()
         self.assertEqual(int(of), 10)
         self.assertGreaterEqual(int(inside), 8)
-        self.assertLess(float(width), 0.7)  # 0.9 is that of the range
+        self.assertLess(float(width), 0.6)  # 0.9 is that of the range
 
 
 if __name__ == "__main__":
