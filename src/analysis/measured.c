@@ -1,7 +1,5 @@
 #include "clod/measured.h"
 
-#include <ctype.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,130 +9,44 @@
 #include "base/input.h"
 #include "base/memory.h"
 
-#define HEADER 1024 ///< bytes of a header that are looked at
-
-/** The first line that is neither empty nor a comment, cut to its names, in small letters: the
- *  reader of its kind tells of capital ones. */
-static void find_header(const char *text, size_t length, char header[HEADER])
-{
-    size_t at = 0;
-    header[0] = '\0';
-    while (at < length && header[0] == '\0') {
-        const char *end = memchr(text + at, '\n', length - at);
-        const size_t line = end != NULL ? (size_t)(end - (text + at)) : length - at;
-        const size_t taken = line < HEADER - 1 ? line : HEADER - 1;
-        memcpy(header, text + at, taken);
-        header[taken] = '\0';
-        for (size_t k = 0; k < taken; k++) {
-            header[k] = (char)tolower((unsigned char)header[k]);
-        }
-        const size_t blank = strspn(header, " \t\r");
-        if (header[blank] == '\0' || header[blank] == '#') {
-            header[0] = '\0';
-        }
-        at += line + 1;
-    }
-}
-
-/** Whether a header has a column of this name. */
-static bool has(const char *header, const char *name)
-{
-    static const char ENDS[] = ",;\t \"[\r";
-    const size_t length = strlen(name);
-    for (const char *at = header; (at = strstr(at, name)) != NULL; at += length) {
-        const bool begins = at == header || strchr(ENDS, at[-1]) != NULL;
-        const bool ends = at[length] == '\0' || strchr(ENDS, at[length]) != NULL;
-        if (begins && ends) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static void header_of(const char *text, size_t length, char header[HEADER])
-{
-    const size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
-    find_header(text + mark, length - mark, header);
-}
-
-bool clod_measured_has(const char *text, size_t length, const char *name)
-{
-    char header[HEADER];
-    header_of(text, length, header);
-    return has(header, name);
-}
-
-static bool is_wall(const char *header)
-{
-    return has(header, "sigma_w") || has(header, "tau_w");
-}
-
 static bool has_strength(const char *header)
 {
-    return has(header, "f_c") || has(header, "sigma_c") || has(header, "fc");
+    return clod_measured_header_has(header, "f_c") ||
+           clod_measured_header_has(header, "sigma_c") ||
+           clod_measured_header_has(header, "fc");
 }
 
 static bool is_density(const char *header)
 {
-    return has(header, "sigma_1") && (has(header, "rho_b") || has(header, "rho")) &&
+    return clod_measured_header_has(header, "sigma_1") &&
+           (clod_measured_header_has(header, "rho_b") ||
+            clod_measured_header_has(header, "rho")) &&
            !has_strength(header);
 }
 
 static bool is_repose(const char *header)
 {
-    return has(header, "angle_of_repose");
-}
-
-clod_measured_stress clod_measured_stress_of(const char *text, size_t length)
-{
-    static const char *const SHEAR[] = {"sigma_sh", "sigma_s", "sigma",     "tau_sh",
-                                        "tau_s",    "tau",     "sigma_pre", "tau_pre"};
-    char header[HEADER];
-    CLOD_NEED(text);
-    header_of(text, length, header);
-    if (is_wall(header)) {
-        return CLOD_MEASURED_OF_WALL;
-    }
-    for (size_t k = 0; k < sizeof SHEAR / sizeof *SHEAR; k++) {
-        if (has(header, SHEAR[k])) {
-            return CLOD_MEASURED_OF_SHEAR;
-        }
-    }
-    return has(header, "sigma_1") ? CLOD_MEASURED_OF_SIGMA_1 : CLOD_MEASURED_OF_NONE;
-}
-
-const char *const CLOD_MEASURED_STRESS_NAMES[] = {
-    [CLOD_MEASURED_OF_SHEAR] = "shear points (sigma_pre, tau_pre, sigma_sh, tau_sh)",
-    [CLOD_MEASURED_OF_WALL] = "wall friction (sigma_w, tau_w)",
-    [CLOD_MEASURED_OF_SIGMA_1] = "a flow function or bulk densities (sigma_1)"};
-
-clod_measured_stress clod_measured_stress_in(const char *path)
-{
-    char *text;
-    size_t length;
-    clod_status ignored = {0};
-    if (!clod_input_read_regular(path, SIZE_MAX, &text, &length, &ignored)) {
-        return CLOD_MEASURED_OF_NONE;
-    }
-    const clod_measured_stress found = clod_measured_stress_of(text, length);
-    clod_memory_free(text);
-    return found;
+    return clod_measured_header_has(header, "angle_of_repose");
 }
 
 /** A table that is none of the kinds, but known. */
 static bool check_header(const char *path, const char *text, size_t length, clod_status *status)
 {
-    char header[HEADER];
-    header_of(text, length, header);
-    if (is_wall(header) && (has(header, "sigma_1") || has(header, "sigma_sh"))) {
+    char header[CLOD_MEASURED_HEADER];
+    clod_measured_header_of(text, length, header);
+    if (clod_measured_header_is_wall(header) &&
+        (clod_measured_header_has(header, "sigma_1") ||
+         clod_measured_header_has(header, "sigma_sh"))) {
         return clod_status_fail(
             status, CLOD_USAGE,
             "%s: two tables are mixed: sigma_w and tau_w are of a wall yield locus, %s of %s. "
             "Put each into a file of its own.",
-            path, has(header, "sigma_1") ? "sigma_1" : "sigma_sh",
-            has(header, "sigma_1") ? "bulk densities or a flow function" : "a yield locus");
+            path, clod_measured_header_has(header, "sigma_1") ? "sigma_1" : "sigma_sh",
+            clod_measured_header_has(header, "sigma_1") ? "bulk densities or a flow function"
+                                                        : "a yield locus");
     }
-    if (has(header, "sigma_1") && has_strength(header) && !has(header, "sigma_sh")) {
+    if (clod_measured_header_has(header, "sigma_1") && has_strength(header) &&
+        !clod_measured_header_has(header, "sigma_sh")) {
         return clod_status_fail(
             status, CLOD_USAGE,
             "%s: is a flow function, which is evaluated already; clod hopper reads it, as "
@@ -298,7 +210,7 @@ static const kind_row KINDS[] = {
                              .csv = shear_csv},
     [CLOD_MEASURED_WALL] = {.name = "wall yield locus",
                             .needs = "sigma_w [kPa], tau_w [kPa] or phi_x [deg]",
-                            .is = is_wall,
+                            .is = clod_measured_header_is_wall,
                             .read = read_wall,
                             .table = wall_table,
                             .json = wall_json,
@@ -321,9 +233,9 @@ static const kind_row KINDS[] = {
 
 clod_measured_kind clod_measured_kind_of(const char *text, size_t length)
 {
-    char header[HEADER];
+    char header[CLOD_MEASURED_HEADER];
     CLOD_NEED(text);
-    header_of(text, length, header);
+    clod_measured_header_of(text, length, header);
     for (int k = 0; k < (int)(sizeof KINDS / sizeof *KINDS); k++) {
         if (KINDS[k].is != NULL && KINDS[k].is(header)) {
             return (clod_measured_kind)k;
@@ -347,11 +259,13 @@ static bool check_defaults(const char *path, const clod_locus_defaults *defaults
 /** A header that says nothing of what its table is; one that is no text, or has no header, is left to the reader. */
 static bool check_known(const char *path, const char *text, size_t length, clod_status *status)
 {
-    char header[HEADER], kinds[HEADER] = "";
-    header_of(text, length, header);
+    char header[CLOD_MEASURED_HEADER], kinds[CLOD_MEASURED_HEADER] = "";
+    clod_measured_header_of(text, length, header);
+    const clod_measured_stress stress = clod_measured_stress_of(text, length);
     if (header[0] == '\0' || memchr(text, '\0', length) != NULL || is_repose(header) ||
-        has(header, "sigma_p") || has(header, "tau_p") ||
-        clod_measured_stress_of(text, length) != CLOD_MEASURED_OF_NONE) {
+        clod_measured_header_has(header, "sigma_p") ||
+        clod_measured_header_has(header, "tau_p") || stress == CLOD_MEASURED_OF_SHEAR ||
+        stress == CLOD_MEASURED_OF_WALL || is_density(header) || has_strength(header)) {
         return true;
     }
     for (size_t k = 0; k < sizeof KINDS / sizeof *KINDS; k++) {

@@ -15,6 +15,16 @@ typedef enum clod_measured_stress {
     CLOD_MEASURED_OF_SIGMA_1, ///< the major principal one, as a flow function and bulk densities
 } clod_measured_stress;
 
+#define CLOD_MEASURED_HEADER 1024 ///< bytes of a header that are looked at
+
+/** The first line that is no comment, cut to so many bytes, in small letters. @param header [out] Threads  pure. */
+void clod_measured_header_of(const char *text, size_t length,
+                             char header[CLOD_MEASURED_HEADER]);
+
+/** Whether such a header has a column of this name; whether it is one of a wall yield locus. Threads  pure. */
+bool clod_measured_header_has(const char *header, const char *name);
+bool clod_measured_header_is_wall(const char *header);
+
 /** Of the first line that is no comment. Threads  pure.   Test  tests/calibrate/test_plan_curves.c */
 clod_measured_stress clod_measured_stress_of(const char *text, size_t length);
 

@@ -75,7 +75,9 @@ static void put_errors(FILE *out, const clod_locus *locus)
               out);
         break;
     default:
-        fputs("  No error bars: they need three points, or the errors of the points", out);
+        fputs(
+            "  No error bars: they need three points, or errors of the points and the preshear",
+            out);
     }
     fputs(clod_locus_one_specimen(locus) ? ";\n  " CLOD_LOCUS_ONE_SPECIMEN : "", out);
     fputs(locus->preshear_untold ? ";\n  " CLOD_LOCUS_PRESHEAR_UNTOLD : "", out);

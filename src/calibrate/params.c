@@ -182,8 +182,7 @@ static const clod_param ROWS[] = {
      .example = "24",
      CLOD_AT(C, points),
      .help =
-         "Number of points, in place of a budget: two thirds are the design. From 8, and from 5 a parameter on, "
-         "surrogates are Gaussian processes; below, lines or quadratics.",
+         "Number of points, in place of a budget: two thirds are the design. With at least 8 points, and 5 for each parameter, surrogates are Gaussian processes; with fewer, lines or quadratics.",
      .source = HOWTO},
     {.key = "seeds",
      .kind = CLOD_PARAM_INTEGER,

@@ -80,7 +80,9 @@ static void put_notes(FILE *out, const clod_shear_loci *sets, size_t count)
                 "points",
                 out);
         } else {
-            fputs(": no error bars; they need three points, or the errors of the points", out);
+            fputs(
+                ": no error bars; they need three points, or errors of the points and the preshear",
+                out);
         }
         fputs(note != NULL ? "; <strong>" : ".", out);
         clod_html_text(out, note != NULL ? note : "");

@@ -226,6 +226,38 @@ static void further_points_stand_for_the_posterior(void **state)
     clod_posterior_destroy(&self);
 }
 
+/**
+ * Two parameters, each told by a target of its own: normal about (0.6, 0.3) with deviations of 0.02. The first point
+ * stands at the medians of both, the second about a deviation away, in whichever direction, and none where another is.
+ */
+static void further_points_stand_for_two_parameters(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 2, 2);
+    made.plan.seeds = 1;
+    made.targets[0].value = 22.0;
+    made.targets[1].value = 16.0;
+    made.targets[0].error = made.targets[1].error = 0.4;
+    double u[18][2], y[16][2];
+    for (int i = 0; i < 16; i++) {
+        u[i][0] = (i % 4) / 3.0; // (0.667, 0.333), the nearest, is three deviations away
+        u[i][1] = (i / 4) / 3.0;
+        y[i][0] = 10.0 + 20.0 * u[i][0];
+        y[i][1] = 10.0 + 20.0 * u[i][1];
+    }
+    const clod_posterior_runs runs = {&made.plan, 16, &u[0][0], &y[0][0], NULL};
+    clod_status status = {CLOD_OK, ""};
+    clod_posterior *self = clod_posterior_create(&runs, &status);
+    assert_non_null(self);
+    assert_true(clod_posterior_refine(self, &u[0][0], 16, 2, NULL, &status));
+    check_close(u[16][0], 0.6, 0.015);
+    check_close(u[16][1], 0.3, 0.015);
+    const double apart = hypot(u[17][0] - u[16][0], u[17][1] - u[16][1]);
+    assert_true(apart > 0.01 && apart < 0.05);
+    clod_posterior_destroy(&self);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -237,6 +269,7 @@ int main(void)
         cmocka_unit_test(a_held_back_target_without_runs_is_dropped),
         cmocka_unit_test(samples_of_all_chains_are_looked_at),
         cmocka_unit_test(further_points_stand_for_the_posterior),
+        cmocka_unit_test(further_points_stand_for_two_parameters),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
