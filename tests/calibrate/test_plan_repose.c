@@ -62,7 +62,7 @@ static void what_cannot_be_is_told(void **state)
     lab_refuse(state, PILE, "locus: lab.csv",
                "needs the key number: which angle of test lab it is, repose.NAME.angle_deg");
     lab_refuse(state, PILE, "locus: lab.csv, number: repose.heap.height_m",
-               "repose.heap.height_m is no angle, and the table has angles of repose");
+               "repose.heap.height_m is no angle of repose, which the table has");
     lab_refuse(state, PILE, "locus: lab.csv, number: repose.pile.angle_deg",
                "test lab has no number repose.pile.angle_deg; behind repose it has heap");
     lab_refuse(state, PILE, TARGET ", value: 30 deg", "has value or normal_stress beside it");
