@@ -67,10 +67,11 @@ static void make_angles(maker *self, size_t test, const clod_number *kind,
     if (clod_plan_samples_init(&list, self, locus->point_count)) {
         list.error_column = "tau_w_error";
         take_angles(self, locus, &list);
+        const double stated = clod_plan_samples_largest(&list);
         clod_plan_samples_merge(&list, common.error);
         clod_plan_samples_warn_alike(self, &list);
         if (clod_wall_locus_one_specimen(locus)) {
-            clod_plan_samples_warn_one(self, &common, CLOD_LOCUS_ONE_SPECIMEN);
+            clod_plan_samples_warn_one(self, &common, stated, CLOD_LOCUS_ONE_SPECIMEN);
         }
         clod_plan_samples_make(self, kind, &common, &list, 0.0);
     }
