@@ -31,18 +31,21 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self);
 #define CLOD_PLAN_FIRM_ERRORS 2.0
 #define CLOD_PLAN_SAME_ERRORS 4.0
 
-/** Targets that contradict each other (plan_conflicts.c). */
-void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
+/** Targets that contradict each other (plan_conflicts.c); warnings in the plan. */
+void clod_plan_check_conflicts(clod_loader *loader, clod_plan *self);
+
+/** Standard deviation of a target for its numbers beside others of its test: error and discrepancy (plan_conflicts.c). */
+double clod_plan_conflicts_error(const clod_plan_target *self);
 
 /** Those of each shear test (plan_conflicts_shear.c). */
-void clod_plan_conflicts_shear(clod_loader *loader, const clod_plan *self);
+void clod_plan_conflicts_shear(clod_loader *loader, clod_plan *self);
 
 /** A strength of a shear test that is too large for its other targets (plan_conflicts_locus.c). */
 void clod_plan_conflicts_locus(clod_loader *loader, const clod_plan *self, size_t test);
 
-/** Targets of a shear test of which one follows from the others, as sigma_2 from sigma_1 and phi_e; one complaint at most
- *  (plan_conflicts_identities.c).   Test  tests/calibrate/test_plan_conflicts_identities.c */
-void clod_plan_conflicts_identities(clod_loader *loader, const clod_plan *self, size_t test);
+/** Targets of a shear test of which one follows from the others, as sigma_2 from sigma_1 and phi_e: one complaint at
+ *  most, or one warning of those that are held back (plan_conflicts_identities.c).   Test  tests/calibrate/test_plan_conflicts_identities.c */
+void clod_plan_conflicts_identities(clod_loader *loader, clod_plan *self, size_t test);
 
 /** The first target of a test with this number, none that goes along a table over sigma_1; NULL: there is none
  *  (plan_conflicts_shear.c). */

@@ -15,6 +15,11 @@
 
 #define FIRM CLOD_PLAN_FIRM_ERRORS
 
+double clod_plan_conflicts_error(const clod_plan_target *self)
+{
+    return hypot(self->error, self->discrepancy);
+}
+
 /** The same number twice: once is enough, or the values are two specimens'. */
 static void check_twice(clod_loader *loader, const clod_plan *self)
 {
@@ -101,9 +106,9 @@ static void compare_ffc(clod_loader *loader, const clod_plan *self, const clod_p
                         const clod_plan_target *strength, const known *sigma_1)
 {
     const double product = ffc->value * strength->value;
-    const double error = sqrt(ffc->error * ffc->error * strength->value * strength->value +
-                              ffc->value * ffc->value * strength->error * strength->error +
-                              sigma_1->error * sigma_1->error);
+    const double error = hypot(hypot(clod_plan_conflicts_error(ffc) * strength->value,
+                                     ffc->value * clod_plan_conflicts_error(strength)),
+                               sigma_1->error);
     const double apart = fabs(product - sigma_1->value) / error;
     if (apart <= FIRM) {
         return;
@@ -137,7 +142,8 @@ static void compare_with(clod_loader *loader, const clod_plan *self,
     for (size_t k = 0; k < self->target_count && strength->curve == NULL; k++) {
         const clod_plan_target *one = &self->targets[k];
         if (is(one, ffc->test, "sigma_1")) {
-            compare_ffc(loader, self, ffc, strength, &(known){one->value, one->error, one});
+            compare_ffc(loader, self, ffc, strength,
+                        &(known){one->value, clod_plan_conflicts_error(one), one});
         }
     }
 }
@@ -200,7 +206,7 @@ static void check_density(clod_loader *loader, const clod_plan *self)
     }
 }
 
-void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self)
+void clod_plan_check_conflicts(clod_loader *loader, clod_plan *self)
 {
     clod_plan_conflicts_shear(loader, self);
     clod_plan_conflicts_wall(loader, self);

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/angles.h"
 #include "analysis/mohr.h"
 #include "calibrate/number.h"
 #include "calibrate/plan_check.h"
@@ -137,7 +138,8 @@ static size_t find_inputs(const clod_plan *self, size_t test, const identity *of
     return count;
 }
 
-/** What follows from targets, with the standard error that theirs make of it, by half differences. */
+/** What follows from targets, with the standard error that theirs make of it, by differences. Angles do not leave 1 to
+ *  80 deg: beyond, strengths grow without bound. */
 static clod_locus_value follow(const clod_plan_target *const *inputs, size_t count, formula of,
                                double stress)
 {
@@ -147,11 +149,17 @@ static clod_locus_value follow(const clod_plan_target *const *inputs, size_t cou
     }
     clod_locus_value made = {.value = of(at, stress)};
     for (size_t k = 0; k < count; k++) {
-        at[k] = inputs[k]->value + inputs[k]->error;
+        const double value = inputs[k]->value, error = clod_plan_conflicts_error(inputs[k]);
+        double least = value - error, most = value + error;
+        if (strncmp(inputs[k]->number, "phi_", 4) == 0) {
+            least = fmax(least, CLOD_ANGLES_LEAST * CLOD_NUMBER_DEGREE);
+            most = fmin(most, fmax(CLOD_ANGLES_MOST * CLOD_NUMBER_DEGREE, value));
+        }
+        at[k] = most;
         const double above = of(at, stress);
-        at[k] = inputs[k]->value - inputs[k]->error;
-        made.error = hypot(made.error, 0.5 * (above - of(at, stress)));
-        at[k] = inputs[k]->value;
+        at[k] = least;
+        made.error = hypot(made.error, error * (above - of(at, stress)) / (most - least));
+        at[k] = value;
     }
     return made;
 }
@@ -172,32 +180,87 @@ static const char *list_inputs(const clod_plan_target *const *inputs, size_t cou
     return text;
 }
 
-/** Whether a target is what follows from others; else there is a complaint. */
-static bool holds(clod_loader *loader, const clod_plan *self, const clod_plan_target *one,
-                  const identity *of)
+/** A target beside what follows from others. */
+typedef struct conflict {
+    const clod_plan_target *one, *inputs[INPUTS];
+    const identity *of;
+    size_t count;
+    clod_locus_value made;
+    double apart; ///< standard errors
+} conflict;
+
+/** Whether a target is not what follows from others. */
+static bool find_conflict(const clod_plan *self, const clod_plan_target *one,
+                          const identity *of, conflict *to)
 {
-    const clod_plan_target *inputs[INPUTS];
-    const size_t count = find_inputs(self, one->test, of, inputs);
-    if (count == 0) {
-        return true;
+    *to = (conflict){.one = one, .of = of};
+    to->count = find_inputs(self, one->test, of, to->inputs);
+    if (to->count == 0) {
+        return false;
     }
     const double preshear = clod_case_shear(self->tests[one->test].middle)->preshear_stress;
-    const clod_locus_value made =
-        follow(inputs, count, of->of, one->normal_stress > 0.0 ? one->normal_stress : preshear);
-    const double apart = fabs(one->value - made.value) / hypot(one->error, made.error);
-    if (!(apart > CLOD_PLAN_FIRM_ERRORS)) { // NAN: it is not defined within the errors
-        return true;
+    to->made = follow(to->inputs, to->count, of->of,
+                      one->normal_stress > 0.0 ? one->normal_stress : preshear);
+    to->apart = fabs(one->value - to->made.value) /
+                hypot(clod_plan_conflicts_error(one), to->made.error);
+    return to->apart > CLOD_PLAN_FIRM_ERRORS; // NAN: it is not defined within the errors
+}
+
+static bool is_held_back(const conflict *self)
+{
+    bool held = self->one->held_back;
+    for (size_t k = 0; k < self->count; k++) {
+        held = held || self->inputs[k]->held_back;
     }
+    return held;
+}
+
+/** Whether it follows from c and phi_lin, which belong to one line, and a curved locus has many. */
+static bool is_of_line(const conflict *self)
+{
+    bool line = false;
+    for (size_t k = 0; k < self->count; k++) {
+        line = line || strcmp(self->inputs[k]->number, "phi_lin") == 0;
+    }
+    return line;
+}
+
+/** "sigma_c 1 kPa in targets.2 does not go with c 1 kPa in targets.0 and ..." */
+static const char *describe(const conflict *self, char *text, size_t size)
+{
     char list[240];
+    const clod_plan_target *one = self->one;
     const clod_plan_measure *unit = &one->measure;
+    snprintf(
+        text, size,
+        "%s %.4g %s in targets.%zu does not go with %s: with these a straight yield locus has %.4g %s (%s), %.1f "
+        "standard errors away",
+        one->number, unit->factor * one->value, unit->unit, one->entry,
+        list_inputs(self->inputs, self->count, list, sizeof list),
+        unit->factor * self->made.value, unit->unit, self->of->text, self->apart);
+    return text;
+}
+
+static void refuse(clod_loader *loader, const clod_plan *self, const conflict *of)
+{
+    char text[600];
     clod_check_fail(
-        loader, "targets",
-        "test %s: %s %.4g %s in targets.%zu does not go with %s: with these a straight yield locus has %.4g %s (%s), %.1f "
-        "standard errors away; correct or leave out one of them",
-        self->tests[one->test].name, one->number, unit->factor * one->value, unit->unit,
-        one->entry, list_inputs(inputs, count, list, sizeof list), unit->factor * made.value,
-        unit->unit, of->text, apart);
-    return false;
+        loader, "targets", "test %s: %s; %s", self->tests[of->one->test].name,
+        describe(of, text, sizeof text),
+        is_of_line(of)
+            ? "c or phi_lin of a curved locus? Then leave it out, hold it back, or state a discrepancy; else correct "
+              "one of them"
+            : "correct or leave out one of them");
+}
+
+static void warn(clod_plan *self, const conflict *of)
+{
+    char text[600];
+    clod_warning_list_add(
+        &self->warnings,
+        "test %s: %s. No parameters give all of them, so what is held back will likely be missed%s.",
+        self->tests[of->one->test].name, describe(of, text, sizeof text),
+        is_of_line(of) ? " (c or phi_lin of a curved locus?)" : "");
 }
 
 /** A number that was given, not that of a table, whose line has been looked at (clod locus). */
@@ -206,15 +269,24 @@ static bool is_given(const clod_plan *self, const clod_plan_target *one, size_t 
     return one->test == test && self->wishes[one->entry].locus == NULL;
 }
 
-void clod_plan_conflicts_identities(clod_loader *loader, const clod_plan *self, size_t test)
+void clod_plan_conflicts_identities(clod_loader *loader, clod_plan *self, size_t test)
 {
+    conflict held = {0}, found;
     for (size_t i = 0; i < sizeof IDENTITIES / sizeof IDENTITIES[0]; i++) {
         for (size_t k = 0; k < self->target_count; k++) {
             const clod_plan_target *one = &self->targets[k];
-            if (is_given(self, one, test) && strcmp(one->number, IDENTITIES[i].number) == 0 &&
-                !holds(loader, self, one, &IDENTITIES[i])) {
+            if (!is_given(self, one, test) || strcmp(one->number, IDENTITIES[i].number) != 0 ||
+                !find_conflict(self, one, &IDENTITIES[i], &found)) {
+                continue;
+            }
+            if (!is_held_back(&found)) {
+                refuse(loader, self, &found);
                 return; // others would say it again
             }
+            held = held.one == NULL ? found : held;
         }
+    }
+    if (held.one != NULL) {
+        warn(self, &held);
     }
 }

@@ -31,7 +31,9 @@ static void check_circles(clod_loader *loader, const clod_plan *self, size_t tes
         return;
     }
     const double most = major->value - minor->value;
-    if (strength->value - most > FIRM * root(strength->error, major->error, minor->error)) {
+    if (strength->value - most > FIRM * root(clod_plan_conflicts_error(strength),
+                                             clod_plan_conflicts_error(major),
+                                             clod_plan_conflicts_error(minor))) {
         clod_check_fail(
             loader, "targets",
             "test %s: sigma_c %.4g kPa in targets.%zu is above sigma_1 - sigma_2 = %.4g kPa, of targets.%zu and "
@@ -54,8 +56,10 @@ static void check_strength(clod_loader *loader, const clod_plan *self, size_t te
     const double share = 2.0 * s / (1.0 + s);
     const double slope = 2.0 * cos(angle->value) / ((1.0 + s) * (1.0 + s)); // over the angle
     const double most = share * major->value;
-    if (strength->value - most > FIRM * root(strength->error, share * major->error,
-                                             slope * major->value * angle->error)) {
+    if (strength->value - most >
+        FIRM * root(clod_plan_conflicts_error(strength),
+                    share * clod_plan_conflicts_error(major),
+                    slope * major->value * clod_plan_conflicts_error(angle))) {
         clod_check_fail(
             loader, "targets",
             "test %s: sigma_c %.4g kPa in targets.%zu is above sigma_1 2 sin(phi_e)/(1 + sin(phi_e)) = %.4g kPa, of "
@@ -72,7 +76,7 @@ static void check_least_ffc(clod_loader *loader, const clod_plan *self, size_t t
 {
     const clod_plan_target *ffc = clod_plan_conflicts_target(self, test, "ffc");
     const clod_plan_target *angle = clod_plan_conflicts_target(self, test, "phi_e");
-    if (ffc != NULL && 1.0 - ffc->value > FIRM * ffc->error) {
+    if (ffc != NULL && 1.0 - ffc->value > FIRM * clod_plan_conflicts_error(ffc)) {
         clod_check_fail(
             loader, "targets",
             "test %s: ffc %.4g in targets.%zu is below 1: sigma_c would be above sigma_1, and a straight yield locus "
@@ -86,7 +90,8 @@ static void check_least_ffc(clod_loader *loader, const clod_plan *self, size_t t
     const double s = sin(angle->value);
     const double least = (1.0 + s) / (2.0 * s);
     const double slope = cos(angle->value) / (2.0 * s * s); // over the angle, downwards
-    if (least - ffc->value > FIRM * hypot(ffc->error, slope * angle->error)) {
+    if (least - ffc->value > FIRM * hypot(clod_plan_conflicts_error(ffc),
+                                          slope * clod_plan_conflicts_error(angle))) {
         clod_check_fail(
             loader, "targets",
             "test %s: ffc %.4g in targets.%zu is below (1 + sin(phi_e))/(2 sin(phi_e)) = %.4g, of phi_e %.1f deg in "
@@ -106,7 +111,8 @@ static void check_cohesion(clod_loader *loader, const clod_plan *self, size_t te
     }
     const double times = clod_mohr_unconfined(1.0, tan(CLOD_ANGLES_MOST * CLOD_NUMBER_DEGREE));
     const double most = times * cohesion->value;
-    if (strength->value - most > FIRM * hypot(strength->error, times * cohesion->error)) {
+    if (strength->value - most > FIRM * hypot(clod_plan_conflicts_error(strength),
+                                              times * clod_plan_conflicts_error(cohesion))) {
         clod_check_fail(
             loader, "targets",
             "test %s: sigma_c %.4g kPa in targets.%zu is too large for c %.4g kPa in targets.%zu: "

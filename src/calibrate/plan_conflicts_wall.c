@@ -32,7 +32,7 @@ static bool is(const clod_plan_target *self, size_t test, const char *number)
 static known times_tangent(const clod_plan_target *angle, double stress)
 {
     const double t = tan(angle->value);
-    return (known){stress * t, stress * (1.0 + t * t) * angle->error};
+    return (known){stress * t, stress * (1.0 + t * t) * clod_plan_conflicts_error(angle)};
 }
 
 /** Two phi_x whose shear stresses fall; of two points of a table the table itself is looked at (clod locus). */
@@ -200,7 +200,9 @@ static void check_line(clod_loader *loader, const clod_plan *self, size_t test, 
             const double of_slope = (stresses[i] - mean) / spread;
             times[i] = slope ? of_slope : 1.0 / (double)count - mean * of_slope;
         }
-        claim it = {one, slope ? times_tangent(one, 1.0) : (known){one->value, one->error},
+        claim it = {one,
+                    slope ? times_tangent(one, 1.0)
+                          : (known){one->value, clod_plan_conflicts_error(one)},
                     reach(self, points, times, count, 0), reach(self, points, times, count, 1)};
         // a line below the origin has no adhesion: what is told of it is 0
         it.most.value = slope ? it.most.value : fmax(it.most.value, 0.0);

@@ -67,6 +67,18 @@ static double slope_at(const clod_curve *curve, double stress)
                : (clod_curve_at(curve, above) - clod_curve_at(curve, below)) / (above - below);
 }
 
+/** Largest error of the values, or of those at a stress where one is given. */
+static double largest(const clod_curve *of, double stress)
+{
+    double most = 0.0;
+    for (size_t k = 0; k < of->count; k++) {
+        if (stress <= 0.0 || clod_plan_samples_same(of->points[k].x, stress)) {
+            most = fmax(most, of->points[k].y_error);
+        }
+    }
+    return most;
+}
+
 /** Points, each with the error of its value and of its stress together. */
 static void take_points(const clod_curve *from, double error, clod_plan_samples *to)
 {
@@ -139,7 +151,7 @@ static bool check_consolidation(maker *self, size_t test, const clod_curve *curv
 
 /** Warn where each stress has one row. Its errors may be of several specimens all the same. */
 static void warn_single(maker *self, const clod_plan_target *common,
-                        const clod_plan_samples *points, const char *error_column)
+                        const clod_plan_samples *points, double stated)
 {
     for (size_t k = 0; k < points->count; k++) {
         if (points->items[k].repeats.count > 1) {
@@ -149,8 +161,8 @@ static void warn_single(maker *self, const clod_plan_target *common,
     char text[160];
     snprintf(text, sizeof text,
              "one row at each stress: scatter between specimens not included, unless %s has it",
-             error_column);
-    clod_plan_samples_warn_one(self, common, text);
+             points->error_column);
+    clod_plan_samples_warn_one(self, common, stated, text);
 }
 
 /** Targets of the points of a curve. */
@@ -172,9 +184,10 @@ static void make_targets(maker *self, size_t test, const clod_number *kind, clod
         clod_curve_sort(from);
         list.curve = keep_curve(self, from);
         if (list.curve != NULL) {
+            const double stated = largest(from, self->wish->normal_stress);
             take_points(from, common.error, &list);
             clod_plan_samples_merge(&list, 0.0);
-            warn_single(self, &common, &list, error_column);
+            warn_single(self, &common, &list, stated);
         }
         if (list.curve != NULL && check_consolidation(self, test, list.curve) &&
             check_choice(self, kind, &list)) {

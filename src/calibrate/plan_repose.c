@@ -10,9 +10,9 @@
 
 #define ONE_STRESS 1.0 ///< of all heaps: so they are repeats of one measurement
 
-/** Repeats without a stress, joined to their mean. */
-static void take_heaps(const clod_repose_heap *heaps, size_t count, double error,
-                       clod_plan_samples *to)
+/** Repeats without a stress, joined to their mean; the largest error that the table states. */
+static double take_heaps(const clod_repose_heap *heaps, size_t count, double error,
+                         clod_plan_samples *to)
 {
     for (size_t k = 0; k < count; k++) {
         to->items[to->count++] = (clod_plan_sample){.stress = ONE_STRESS,
@@ -20,8 +20,10 @@ static void take_heaps(const clod_repose_heap *heaps, size_t count, double error
                                                     .error = heaps[k].error,
                                                     .specimen = (int64_t)k + 1};
     }
+    const double stated = clod_plan_samples_largest(to);
     clod_plan_samples_merge(to, error);
     to->items[0].stress = 0.0;
+    return stated;
 }
 
 static void make_mean(clod_plan_maker *self, size_t test, const clod_number *kind,
@@ -34,9 +36,10 @@ static void make_mean(clod_plan_maker *self, size_t test, const clod_number *kin
     }
     if (clod_plan_samples_init(&list, self, count)) {
         list.error_column = "angle_of_repose_error";
-        take_heaps(heaps, count, common.error, &list);
+        list.scatter_alone = true;
+        const double stated = take_heaps(heaps, count, common.error, &list);
         if (count == 1) {
-            clod_plan_samples_warn_one(self, &common,
+            clod_plan_samples_warn_one(self, &common, stated,
                                        "one heap: scatter between heaps not included");
         }
         clod_plan_samples_make(self, kind, &common, &list, 0.0);

@@ -7,7 +7,8 @@
 #include "analysis/mean.h"
 #include "base/memory.h"
 
-#define FEW 3 ///< specimens
+#define FEW 3         ///< specimens
+#define ROUNDING 1e-9 ///< of a mean: a smaller scatter is that of one and the same number
 
 typedef clod_plan_maker maker;
 typedef clod_plan_sample sample;
@@ -84,16 +85,16 @@ static sample mean_of(const sample *points, size_t count, double slope, double *
 {
     sample mean = {0};
     double stated = 0.0;
-    bool known = true;
     for (size_t k = 0; k < count; k++) {
         mean.stress += points[k].stress / (double)count;
         stated += points[k].error * points[k].error;
-        known = known && points[k].error > 0.0;
+        mean.lacking += points[k].error > 0.0 ? 0 : 1;
     }
     for (size_t k = 0; k < count; k++) {
         values[k] = points[k].value + slope * (mean.stress - points[k].stress);
     }
     mean.value = clod_mean_of(values, count, stated).value;
+    const bool known = mean.lacking == 0;
     mean.error = known ? sqrt(stated) / (double)count : 0.0;
     mean.common = known ? common_of(points, count) : (clod_plan_common){0};
     mean.repeats.count = count;
@@ -142,17 +143,29 @@ static void pool(clod_plan_samples *self, const double *scatter)
     }
     for (size_t k = 0; k < self->count; k++) {
         sample *one = &self->items[k];
-        if (degrees == 0.0 || one->error <= 0.0) {
-            continue; // without a stated error it is asked for
+        if (degrees == 0.0) {
+            continue;
         }
         const double all =
             relative ? one->value * sqrt(squares / degrees / (double)one->repeats.count)
                      : scatter[k];
         const double error = without(all, between ? one->common.error : 0.0);
+        if (one->error <= 0.0 && !(self->scatter_alone && error > ROUNDING * one->value)) {
+            continue; // without a stated error it is asked for
+        }
         one->repeats.pooled = relative;
         one->repeats.estimate = error > one->error;
         one->error = fmax(one->error, error);
     }
+}
+
+double clod_plan_samples_largest(const clod_plan_samples *self)
+{
+    double most = 0.0;
+    for (size_t k = 0; k < self->count; k++) {
+        most = fmax(most, self->items[k].error);
+    }
+    return most;
 }
 
 void clod_plan_samples_merge(clod_plan_samples *self, double error)
@@ -185,9 +198,10 @@ void clod_plan_samples_warn(maker *self, const char *warning)
     }
 }
 
-void clod_plan_samples_warn_one(maker *self, const clod_plan_target *common, const char *what)
+void clod_plan_samples_warn_one(maker *self, const clod_plan_target *common, double stated,
+                                const char *what)
 {
-    if (common->error > 0.0) {
+    if (common->error > stated) {
         return;
     }
     char text[CLOD_WARNING_LIST_TEXT];
@@ -239,6 +253,20 @@ void clod_plan_samples_warn_alike(clod_plan_maker *self, const clod_plan_samples
 
 // ---- targets
 
+/** A point has no error: why. */
+static void lack_error(maker *self, const clod_plan_samples *from, const sample *point,
+                       const char *at)
+{
+    const size_t rows = point->repeats.count;
+    char what[64] = "the table has";
+    if (point->lacking > 0 && point->lacking < rows) {
+        snprintf(what, sizeof what, "%zu of %zu rows have", point->lacking, rows);
+    }
+    clod_check_fail(self->loader, clod_plan_targets_at(self, ""),
+                    "needs the key error: %s no %s%s%s", what, from->error_column, at,
+                    from->scatter_alone && rows > 1 ? ", and all rows have one value" : "");
+}
+
 /** A measured point, or the mean of those at one stress, as a target. */
 static void make_point(maker *self, const clod_number *kind, const clod_plan_target *common,
                        const clod_plan_samples *from, sample point)
@@ -256,8 +284,7 @@ static void make_point(maker *self, const clod_number *kind, const clod_plan_tar
     made.common = point.common;
     made.repeats = point.repeats;
     if (made.error <= 0.0) {
-        clod_check_fail(self->loader, clod_plan_targets_at(self, ""),
-                        "needs the key error: the table has no %s%s", from->error_column, at);
+        lack_error(self, from, &point, at);
     } else if (made.value < kind->least || made.value > kind->most) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
                         "has a %s of %.6g %s%s; allowed is %.6g to %.6g %s", name,

@@ -12,6 +12,7 @@ typedef struct clod_plan_sample {
     double stress, value, error; ///< SI; error 0: the table has none; stress 0: there is none
     int64_t specimen;            ///< `seed` of the table
     clod_plan_repeats repeats;   ///< of a mean
+    size_t lacking;              ///< points of a mean without an error
     clod_plan_common common;     ///< beside `error`
 } clod_plan_sample;
 
@@ -22,6 +23,7 @@ typedef struct clod_plan_samples {
     double slope;             ///< of value over stress, 0: hardly any
     double *scratch;          ///< [count] owned
     const char *error_column; ///< where the table may tell the error of a point
+    bool scatter_alone;       ///< how repeats scatter is an error also where none is stated
     const clod_curve *curve;  ///< of the targets; NULL: none
 } clod_plan_samples;
 
@@ -47,7 +49,7 @@ bool clod_plan_samples_common(clod_plan_maker *self, size_t test, const clod_num
  * What all points of one seed have in common stays beside that.
  *
  * @param error  of each point; the larger of it and the table's counts; 0: the table's alone, and where a point
- *               has none, that of the mean is 0
+ *               has none, that of the mean is 0, or that of `scatter_alone`
  */
 void clod_plan_samples_merge(clod_plan_samples *self, double error);
 
@@ -58,14 +60,19 @@ void clod_plan_samples_warn_alike(clod_plan_maker *self, const clod_plan_samples
 /** Warn of a table, once for all entries of the plan that name it. */
 void clod_plan_samples_warn(clod_plan_maker *self, const char *warning);
 
+/** Largest error of the points. */
+double clod_plan_samples_largest(const clod_plan_samples *self);
+
 /**
- * Warn of a table of one specimen whose errors do not tell how specimens differ. An `error` of the plan may: then there is none.
+ * Warn of a table of one specimen whose errors do not tell how specimens differ. An `error` of the plan may where it is above
+ * those of the table: then there is none.
  *
  * @param common  with the plan's error
+ * @param stated  largest error of the table's points; 0: it has none
  * @param what    "one specimen: scatter between specimens not included"
  */
 void clod_plan_samples_warn_one(clod_plan_maker *self, const clod_plan_target *common,
-                                const char *what);
+                                double stated, const char *what);
 
 /** A target of each point, or of those at a stress where one is given. */
 void clod_plan_samples_make(clod_plan_maker *self, const clod_number *kind,

@@ -123,6 +123,11 @@ static const column RHO_B = {offsetof(clod_locus_point, rho_b),
                              offsetof(clod_locus_point, rho_b_error),
                              offsetof(clod_locus, rho_b), "rho_b_error"};
 
+static const column *column_of(const clod_number *kind)
+{
+    return strcmp(kind->key, "tau_p") == 0 ? &TAU_P : &RHO_B;
+}
+
 static double number_at(const clod_locus_point *point, size_t place)
 {
     return *(const double *)(const void *)((const char *)point + place);
@@ -216,8 +221,7 @@ static void make_mean(maker *self, const clod_number *kind, const clod_plan_targ
                       const shear_table *table)
 {
     const clod_locus *locus = &table->group->locus;
-    const bool preshear = strcmp(kind->key, "tau_p") == 0;
-    const column *of = preshear ? &TAU_P : &RHO_B;
+    const column *of = column_of(kind);
     if (isnan(mean_at(locus, of)->value)) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "locus"),
                         "has no rho_b at the preshear stress of test %s; add the column, or "
@@ -230,7 +234,7 @@ static void make_mean(maker *self, const clod_number *kind, const clod_plan_targ
     const double scatter = mean_at(locus, of)->scatter / sqrt((double)locus->seed_count);
     take_specimens(locus, table->points, of, &one.repeats);
     one.repeats.estimate = isfinite(scatter) && one.error <= SAME * scatter;
-    if (preshear) {
+    if (of == &TAU_P) {
         share_preshear(self, table, &one);
     }
     const clod_plan_samples list = {.items = &one, .count = 1, .error_column = of->error_name};
@@ -249,6 +253,19 @@ static const char *list_preshears(const clod_locus_study *study, char *buffer, s
                                  1e-3 * study->groups[g].locus.sigma_p.value);
     }
     return buffer;
+}
+
+/** Largest error of the points of a locus, as the table states it of a number. */
+static double largest(const clod_locus *locus, const clod_locus_point *points,
+                      const clod_number *kind)
+{
+    const size_t error =
+        kind->at_stress ? offsetof(clod_locus_point, tau_s_error) : column_of(kind)->error;
+    double most = 0.0;
+    for (size_t k = 0; k < locus->point_count; k++) {
+        most = fmax(most, number_at(&points[locus->marks[k].index], error));
+    }
+    return most;
 }
 
 /** Points, or a mean, of the locus with the preshear stress of the test. */
@@ -277,7 +294,8 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
             clod_plan_samples_warn(self, locus->warnings[k]);
         }
         if (clod_locus_one_specimen(locus)) {
-            clod_plan_samples_warn_one(self, &common, CLOD_LOCUS_ONE_SPECIMEN);
+            clod_plan_samples_warn_one(self, &common, largest(locus, points, kind),
+                                       CLOD_LOCUS_ONE_SPECIMEN);
         }
         return;
     }

@@ -67,10 +67,11 @@ static void make_angles(maker *self, size_t test, const clod_number *kind,
     if (clod_plan_samples_init(&list, self, locus->point_count)) {
         list.error_column = "tau_w_error";
         take_angles(self, locus, &list);
+        const double stated = clod_plan_samples_largest(&list);
         clod_plan_samples_merge(&list, common.error);
         clod_plan_samples_warn_alike(self, &list);
         if (clod_wall_locus_one_specimen(locus)) {
-            clod_plan_samples_warn_one(self, &common, CLOD_LOCUS_ONE_SPECIMEN);
+            clod_plan_samples_warn_one(self, &common, stated, CLOD_LOCUS_ONE_SPECIMEN);
         }
         clod_plan_samples_make(self, kind, &common, &list, 0.0);
     }
@@ -168,7 +169,15 @@ static const char *separator(const char *const *numbers, size_t k)
     return k == 0 ? "" : last ? " or " : ", ";
 }
 
-/** The angle of a free run that the plan names; NULL after a complaint. */
+/** Whether a path leads to an angle of repose of a run: at its end, or over its steady time. */
+static bool is_repose(const char *path)
+{
+    const char *last = strrchr(path, '.');
+    return strncmp(path, "repose.", strlen("repose.")) == 0 &&
+           (strcmp(last, ".angle_deg") == 0 || strcmp(last, ".mean_deg") == 0);
+}
+
+/** The angle of repose that the plan names; NULL after a complaint. */
 static const clod_number *angle_named(maker *self, size_t test)
 {
     if (self->wish->number == NULL) {
@@ -179,10 +188,12 @@ static const clod_number *angle_named(maker *self, size_t test)
         return NULL;
     }
     const clod_number *kind = clod_plan_targets_number(self, test);
-    if (kind != NULL && strcmp(kind->unit, "rad") != 0) {
-        clod_check_fail(self->loader, clod_plan_targets_at(self, "number"),
-                        "%s is no angle, and the table has angles of repose",
-                        self->wish->number);
+    if (kind != NULL && !is_repose(self->wish->number)) {
+        clod_check_fail(
+            self->loader, clod_plan_targets_at(self, "number"),
+            "%s is no angle of repose, which the table has; it is repose.NAME.angle_deg, of a heap at the end "
+            "of a run, or repose.NAME.mean_deg, over its steady time",
+            self->wish->number);
         return NULL;
     }
     return kind;

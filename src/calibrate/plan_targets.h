@@ -54,7 +54,7 @@ typedef struct clod_plan_table {
     const char *numbers
         [CLOD_PLAN_TABLE_NUMBERS]; ///< what its points are targets of, and what else the plan may ask for
     bool one_stress;               ///< normal_stress beside it takes the points there
-    bool any_angle; ///< `numbers` is empty: the plan names an angle of a free run
+    bool any_angle;                ///< `numbers` is empty: the plan names an angle of repose
     /** Targets of a file's points; false with status. */
     bool (*make)(clod_plan_maker *self, size_t test, const clod_number *kind,
                  clod_status *status);

@@ -363,6 +363,23 @@ static void bulk_density_above_that_of_the_grains(void **state)
     clod_plan_fini(&plan);
 }
 
+// A discrepancy of 4 deg beside an error of 3 is 5 deg: apart by 2 sqrt(5^2 + 12^2) = 26 deg. With ffc 5.9 it is 16.2 kPa, 2.29 of
+// sqrt((0.2 18)^2 + (5.9 0.9)^2 + 3^2) = 7.08 kPa, and 1.93 with hypot(0.2, 0.25) in place of 0.2.
+static void discrepancies_beside_errors(void **state)
+{
+    load_both(state, "phi_sf, value: 55.9 deg, error: 3 deg, discrepancy: 4 deg",
+              "phi_e, value: 30 deg, error: 12 deg");
+    lab_refuse(state, RING,
+               TWO("phi_sf, value: 56.1 deg, error: 3 deg, discrepancy: 4 deg",
+                   "phi_e, value: 30 deg, error: 12 deg"),
+               "phi_e 30.0 deg in targets.1 is below phi_sf 56.1 deg");
+    clod_plan plan;
+    lab_load_good(state, RING, FFC("5.9") ", discrepancy: 0.25", &plan);
+    clod_plan_fini(&plan);
+    lab_refuse(state, RING, FFC("5.9"),
+               "test lab: ffc 5.9 in targets.2 is not sigma_1/sigma_c");
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
 
 int main(void)
@@ -388,6 +405,7 @@ int main(void)
         TEST(shear_points_of_one_table_twice),
         TEST(rows_of_one_table_twice),
         TEST(bulk_density_above_that_of_the_grains),
+        TEST(discrepancies_beside_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

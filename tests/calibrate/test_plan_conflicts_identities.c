@@ -50,6 +50,83 @@ static void strength_of_a_line(void **state)
         "3.464 kPa (sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin))), 2.0 standard errors away");
 }
 
+// Angles end at 80 deg: with phi_lin 74 and 80 deg it is 14.2307 and 22.8601 kPa, 5.7529 kPa for 4 deg; 19.0287 +- 5.7569
+// kPa: 7.515 and up.
+static void angles_that_are_hardly_known(void **state)
+{
+    clod_plan plan;
+    lab_refuse(state, RING,
+               C("1", "0.01") AND PHI("78", "4") AND NUMBER("sigma_c", "7.48 kPa", "0.1 kPa"),
+               "with these a straight yield locus has 19.03 kPa");
+    lab_load_good(
+        state, RING,
+        C("1", "0.01") AND PHI("78", "4") AND NUMBER("sigma_c", "7.55 kPa", "0.1 kPa"), &plan);
+    clod_plan_fini(&plan);
+    lab_load_good(state, RING,
+                  C("0.2", "0.01") AND PHI("60", "40")
+                      AND NUMBER("sigma_c", "0.7 kPa", "0.01 kPa"),
+                  &plan);
+    clod_plan_fini(&plan);
+}
+
+// As strength_of_a_line: 3.4641 +- 1.2286 kPa, 1.007 to 5.921.
+static void discrepancies_count(void **state)
+{
+    check(state, C("1", "0.1") ", discrepancy: 0.3 kPa" AND PHI("30", "2"),
+          &(borders){"sigma_c, discrepancy: 0.5 kPa", "kPa", "0.2", "0.99", "1.02", "5.90",
+                     "5.94"},
+          "does not go with c 1 kPa in targets.0 and phi_lin 30 deg in targets.1");
+}
+
+/** How many warnings have words. */
+static size_t count_warnings(const clod_plan *plan, const char *words)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < plan->warnings.count; k++) {
+        count += strstr(plan->warnings.text[k], words) != NULL ? 1 : 0;
+    }
+    return count;
+}
+
+// tau = C (sigma/T + 1)^(1/1.35), C = 0.24, T = 0.35, preshear (1.2, 0.97 tau(1.2)): circles that touch it, by a program of
+// its own; stresses times 54.8/1.2, errors of 2 %. c is the shear stress at 0, phi_lin of the line that touches both circles.
+#define CURVE                                                                                  \
+    TAU_P("32.01", "0.64")                                                                     \
+    AND MAJOR("90.01", "1.8") AND NUMBER("sigma_c", "34.66 kPa", "0.69 kPa")                   \
+        AND PHI("21.45", "0.43")
+static void curved_loci_are_possible(void **state)
+{
+    static const char *const WORDS = "does not go with";
+    clod_plan plan;
+    lab_refuse(
+        state, RING, CURVE AND C("10.96", "0.22"),
+        "standard errors away; c or phi_lin of a curved locus? Then leave it out, hold it back, or state a "
+        "discrepancy; else correct one of them");
+    lab_load_good(state, RING, CURVE AND C("10.96", "0.22") ", held_back: true", &plan);
+    assert_int_equal(count_warnings(&plan, WORDS), 1);
+    assert_int_equal(
+        count_warnings(
+            &plan, "No parameters give all of them, so what is held back will likely be missed "
+                   "(c or phi_lin of a curved locus?)."),
+        1);
+    clod_plan_fini(&plan);
+    lab_load_good(state, RING,
+                  CURVE ", discrepancy: 2 deg" AND C("10.96", "0.22") ", discrepancy: 2 kPa",
+                  &plan);
+    assert_int_equal(count_warnings(&plan, WORDS), 0);
+    clod_plan_fini(&plan);
+}
+
+// sigma_c is held back, and sigma_2 (30 kPa) is not.
+static void what_is_used_is_refused_beside_what_is_held_back(void **state)
+{
+    lab_refuse(state, RING,
+               C("1", "0.1") AND PHI("30", "2")
+                   AND NUMBER("sigma_c", "9 kPa", "0.2 kPa, held_back: true")
+                       AND MAJOR("90", "3") AND PHI_E("30", "3") AND MINOR("45", "2"),
+               "sigma_2 45 kPa in targets.5 does not go with");
+}
+
 // 25.8194 +- 1.9043 kPa: 22.011 to 29.628.
 static void points_of_a_line(void **state)
 {
@@ -139,6 +216,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(strength_of_a_line),
+        TEST(angles_that_are_hardly_known),
+        TEST(discrepancies_count),
+        TEST(curved_loci_are_possible),
+        TEST(what_is_used_is_refused_beside_what_is_held_back),
         TEST(points_of_a_line),
         TEST(flowability_of_a_line),
         TEST(principal_stresses_of_an_effective_angle),

@@ -207,7 +207,7 @@ static void error_above_the_values_of_a_table(void **state)
         "targets.0: the error of lab: rho_b at 20 kPa, 2000 kg/m3, is larger than its value, 1500 kg/m3");
     lab_write_file(
         state, "lab.csv",
-        "sigma_1 [kPa],rho_b [kg/m3],rho_b_error [kg/m3]\n20,1500,10\n54.8,1600,2000\n");
+        "sigma_1 [kPa],rho_b [kg/m3],rho_b_error [kg/m3]\n20,1500,10\n20,1500,10\n54.8,1600,2000\n");
     lab_load_good(state, UNIAXIAL, "locus: lab.csv, error: 10 kg/m3", &plan);
     check_warnings(
         &plan, 1,

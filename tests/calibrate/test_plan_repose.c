@@ -56,13 +56,59 @@ static void the_plan_has_the_error_that_the_table_lacks(void **state)
                "needs the key error: the table has no angle_of_repose_error");
 }
 
+// 30, 34 and 32 deg scatter by 2 deg; 9 deg that one of them states are not those of all.
+static void heaps_that_differ_need_no_error(void **state)
+{
+    clod_plan plan;
+    lab_write_file(state, "lab.csv", "angle_of_repose [deg]\n30\n34\n32\n");
+    lab_load_good(state, PILE, TARGET, &plan);
+    check_target(&plan.targets[0], 32.0, 2.0 / sqrt(3.0));
+    assert_true(plan.targets[0].repeats.estimate);
+    clod_plan_fini(&plan);
+    lab_write_file(state, "lab.csv", HEAPS "1,30,9\n2,34,\n3,32,9\n");
+    lab_load_good(state, PILE, TARGET, &plan);
+    check_target(&plan.targets[0], 32.0, 2.0 / sqrt(3.0));
+    clod_plan_fini(&plan);
+    lab_load_good(state, PILE, TARGET ", error: 6 deg", &plan);
+    check_target(&plan.targets[0], 32.0, sqrt(9.0 * 9.0 + 6.0 * 6.0 + 9.0 * 9.0) / 3.0);
+    clod_plan_fini(&plan);
+}
+
+// The mean of seven angles of 20 deg is off by rounding.
+static void what_is_missing_of_heaps_with_one_angle_is_named(void **state)
+{
+    lab_write_file(state, "lab.csv", "angle_of_repose [deg]\n20\n20\n20\n20\n20\n20\n20\n");
+    lab_refuse(
+        state, PILE, TARGET,
+        "needs the key error: the table has no angle_of_repose_error, and all rows have one value");
+    lab_write_file(state, "lab.csv", HEAPS "1,30,1\n2,30,\n3,30,1\n");
+    lab_refuse(
+        state, PILE, TARGET,
+        "needs the key error: 1 of 3 rows have no angle_of_repose_error, and all rows have one value");
+}
+
+// Of one NAME under repose: angle_deg error_deg mean_deg deviation_deg.
+static void a_table_is_of_an_angle_of_repose(void **state)
+{
+    clod_plan plan;
+    lab_write_file(state, "lab.csv", HEAPS "1,30,1\n2,34,1\n");
+    lab_load_good(state, PILE, "locus: lab.csv, number: repose.heap.mean_deg", &plan);
+    assert_true(fabs(plan.targets[0].value / (32.0 * DEG) - 1.0) < 1e-9);
+    clod_plan_fini(&plan);
+    lab_refuse(
+        state, PILE, "locus: lab.csv, number: repose.heap.error_deg",
+        "repose.heap.error_deg is no angle of repose, which the table has; it is repose.NAME.angle_deg");
+    lab_refuse(state, PILE, "locus: lab.csv, number: repose.heap.deviation_deg",
+               "repose.heap.deviation_deg is no angle of repose");
+}
+
 static void what_cannot_be_is_told(void **state)
 {
     lab_write_file(state, "lab.csv", HEAPS "1,30,1\n2,34,1\n");
     lab_refuse(state, PILE, "locus: lab.csv",
                "needs the key number: which angle of test lab it is, repose.NAME.angle_deg");
     lab_refuse(state, PILE, "locus: lab.csv, number: repose.heap.height_m",
-               "repose.heap.height_m is no angle, and the table has angles of repose");
+               "repose.heap.height_m is no angle of repose, which the table has");
     lab_refuse(state, PILE, "locus: lab.csv, number: repose.pile.angle_deg",
                "test lab has no number repose.pile.angle_deg; behind repose it has heap");
     lab_refuse(state, PILE, TARGET ", value: 30 deg", "has value or normal_stress beside it");
@@ -87,6 +133,12 @@ int main(void)
                                         temp_folder_remove),
         cmocka_unit_test_setup_teardown(the_plan_has_the_error_that_the_table_lacks,
                                         temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(heaps_that_differ_need_no_error, temp_folder_make,
+                                        temp_folder_remove),
+        cmocka_unit_test_setup_teardown(what_is_missing_of_heaps_with_one_angle_is_named,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(a_table_is_of_an_angle_of_repose, temp_folder_make,
+                                        temp_folder_remove),
         cmocka_unit_test_setup_teardown(what_cannot_be_is_told, temp_folder_make,
                                         temp_folder_remove),
     };
