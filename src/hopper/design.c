@@ -149,13 +149,16 @@ static double lift_of(const clod_solid *solid, const clod_hopper_wish *wish, dou
                : 0.0;
 }
 
-/** Whether a cone of this half angle less `lift`, which is safe for a wedge too, is mass flow at a stress.
+/** Whether a cone of this half angle less `lift`, which is safe for a wedge too, is mass flow at a stress. At a
+ *  limit that is given it is the half angle just below it, since the search may miss the cone's own.
  *  @param axis  [in,out] of the last field that was found, 0: none; NULL: not wanted */
 static bool slides(const clod_solid *solid, const clod_hopper_wish *wish, double lift,
                    double sigma_1, double *axis)
 {
     const clod_solid_state state = clod_solid_at(solid, sigma_1);
-    const double half_angle = wish->half_angle - lift;
+    const double most =
+        wish->limit > 0.0 ? clod_critical_below(wish->limit, 0.0) : (double)INFINITY;
+    const double half_angle = fmin(wish->half_angle, most) - lift;
     if (half_angle <= 0.0) {
         return clod_critical_limit(&state, wish->tolerance) > 0.0;
     }
@@ -332,7 +335,8 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
 static clod_hopper_design design_below(const clod_solid *solid, const clod_hopper_wish *wish)
 {
     clod_hopper_wish fixed = *wish;
-    fixed.half_angle = wish->half_angle > 0.0 ? wish->half_angle : wish->limit - wish->margin;
+    fixed.half_angle = wish->half_angle > 0.0 ? wish->half_angle
+                                              : clod_critical_below(wish->limit, wish->margin);
     if (fixed.half_angle <= 0.0) {
         return (clod_hopper_design){.outcome = CLOD_HOPPER_FUNNEL, .limit = wish->limit};
     }

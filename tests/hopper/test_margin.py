@@ -35,10 +35,27 @@ class Margin(hopper_case.Case):
                     self.assertAlmostEqual(1e3 * found[shape]["design_state"]["outlet_m"], outlet, delta=1e-6)
                     self.assertIsNotNone(found[shape]["arching_margin"]["value"])
 
+    def wedge(self, outlet, how, margin=0):
+        return self.found("--set", f"margin={margin} deg", "--set", f"wedge={{{how}, outlet: {outlet} mm}}")["wedge"]
+
     def test_a_wall_of_one_angle(self):
         self.start()
         for shape in ("cone", "wedge"):
             self.assertEqual(self.design(0, 600)[shape]["outcome"], "flows")
+
+    def test_at_a_limit_that_is_given(self):
+        """phi_e and the wall are those of all stresses, so if the solid slides at one it does at all: no outlet is the wall's."""
+        self.start(rows=ROWS.replace("47,", "48,").replace("46,", "48,"))
+        for outlet in (80, 600):
+            far = self.wedge(outlet, "half_angle: 44.95 deg, limit: 50 deg")
+            self.assertFalse(far["outlet_by_wall"])
+            for margin, angle, half in ((0, "auto", 45 - NEAREST), (0.01, "auto", 45 - NEAREST), (0, "45 deg", 45), (1, "auto", 44)):
+                found = self.wedge(outlet, f"half_angle: {angle}, limit: 45 deg", margin)
+                self.assertEqual(found["outcome"], "flows")
+                self.assertFalse(found["outlet_by_wall"], (outlet, margin, angle))
+                self.assertAlmostEqual(found["half_angle_deg"]["value"], half, delta=1e-6)
+                if half == 45 - NEAREST:
+                    self.assertAlmostEqual(found["outlet_m"]["value"], far["outlet_m"]["value"], delta=1e-6)
 
 
 if __name__ == "__main__":
