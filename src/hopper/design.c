@@ -108,22 +108,19 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
             fabs(next - before) <= CLOD_CRITICAL_CLOSE * wish->tolerance * before) {
             return SLIDES;
         }
-        if (how == UNSETTLED) {
-            return how;
-        }
-        if (how == STICKS && next <= before) {
-            // but a steeper one of a smaller stress may slide
+        if (how == UNSETTLED || (how == STICKS && next <= before)) {
+            // but a steeper one of another stress may slide
             return flow_below(solid, wish, outlet, before, at);
         }
         // where it sticks above, a steeper hopper of a larger stress slides
         clod_bracket_narrow(&in, next > before);
         clod_bracket_go(&in, next);
     }
-    return UNSETTLED;
+    return flow_below(solid, wish, outlet, first, at);
 }
 
 /** The same from small stresses, or else from large ones, or that of so high a column of solid as the outlet is wide: outlets
- *  that are wide may have larger ones than were measured. */
+ *  that are wide may have larger ones than were measured; or from hardly any, where a wall that roughens with stress slides. */
 static flow flow_at(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
                     clod_hopper_design *at)
 {
@@ -135,7 +132,15 @@ static flow flow_at(const clod_solid *solid, const clod_hopper_wish *wish, doubl
     if (how != SLIDES) {
         how = flow_from(solid, wish, outlet, last, at);
     }
-    return how == SLIDES || column <= last ? how : flow_from(solid, wish, outlet, column, at);
+    if (how != SLIDES && column > last) {
+        how = flow_from(solid, wish, outlet, column, at);
+    }
+    clod_hopper_design low = {0};
+    if (how != SLIDES && flow_from(solid, wish, outlet, NO_STRESS * last, &low) == SLIDES) {
+        *at = low;
+        how = SLIDES;
+    }
+    return how;
 }
 
 /**
@@ -224,13 +229,23 @@ static void set_design_state(clod_hopper_design *self, const clod_hopper_design 
     self->built = fmax(built, clod_hopper_is_critical(self) ? self->outlet : 0.0);
 }
 
+/** The critical state of a half angle at which the solid slides at a stress, from there if it is found from no other. */
+static clod_hopper_design settle_near(const clod_solid *solid, const clod_hopper_wish *wish,
+                                      double good)
+{
+    clod_hopper_wish from = *wish;
+    const clod_hopper_design self = clod_critical_settle(solid, wish);
+    from.first = good;
+    return self.outcome == CLOD_HOPPER_FUNNEL ? clod_critical_settle(solid, &from) : self;
+}
+
 /** A hopper with the half angle of a state in which it is mass flow. */
 static clod_hopper_design design_for(const clod_solid *solid, const clod_hopper_wish *wish,
                                      const clod_hopper_design *at, double built)
 {
     clod_hopper_wish fixed = *wish;
     fixed.half_angle = at->half_angle;
-    clod_hopper_design self = clod_critical_settle(solid, &fixed);
+    clod_hopper_design self = settle_near(solid, &fixed, at->state.sigma_1);
     if (self.outcome != CLOD_HOPPER_ARCHES && self.outcome != CLOD_HOPPER_UNSETTLED) {
         begin_to_slide(solid, &fixed, at->state.sigma_1, &self);
     }
@@ -292,6 +307,7 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
     if (wish->outlet > 0.0 && self.outlet <= wish->outlet) {
         // slides at the critical outlet, but not at this one, or no state was found there
         at.outcome = how == STICKS ? CLOD_HOPPER_FUNNEL : CLOD_HOPPER_UNSETTLED;
+        at.outlet = (double)NAN;
         set_design_state(&at, &at, 0.0);
         return at;
     }

@@ -35,6 +35,19 @@ class Margin(hopper_case.Case):
                     self.assertAlmostEqual(1e3 * found[shape]["design_state"]["outlet_m"], outlet, delta=1e-6)
                     self.assertIsNotNone(found[shape]["arching_margin"]["value"])
 
+    def test_a_wall_that_roughens_with_stress(self):
+        """A wider outlet has larger stresses, so a steeper cone; one slides at its outlet, and none of them is left without a state."""
+        self.start(CASE, "1,0.7,0.05,47,40,1200\n2,1.1,0.05,46,40,1250\n4,1.8,0.05,45,39,1300\n")
+        self.write("wall.csv", "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n0.3,0.06,0.001\n1.2,0.30,0.002\n2,0.6,0.003\n4,1.5,0.003\n")
+        angles = []
+        for outlet in (150, 250):
+            cone = self.design(0, outlet)["cone"]
+            self.assertEqual(cone["outcome"], "flows")
+            self.assertEqual(cone["sample_shares"]["unsettled"], 0.0)
+            self.assertGreater(cone["outlet_m"]["low"], 0.0)
+            angles.append(cone["half_angle_deg"]["value"])
+        self.assertGreater(angles[0], angles[1])
+
     def wedge(self, outlet, how, margin=0):
         return self.found("--set", f"margin={margin} deg", "--set", f"wedge={{{how}, outlet: {outlet} mm}}")["wedge"]
 
