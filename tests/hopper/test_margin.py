@@ -1,6 +1,7 @@
 """clod hopper with a margin of nothing: a hopper at its limit of mass flow is mass flow, since that is what the limit is."""
 
 import os
+import shutil
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -47,6 +48,15 @@ class Margin(hopper_case.Case):
             self.assertGreater(cone["outlet_m"]["low"], 0.0)
             angles.append(cone["half_angle_deg"]["value"])
         self.assertGreater(angles[0], angles[1])
+
+    def test_an_outlet_beyond_the_critical_one_breaks_arches(self):
+        """Fines of three specimens on a wall that roughens with stress: at two ranges of stress the solid slides, not between."""
+        shutil.copy(clod.source("cases/lab-to-outlet/shear.csv"), self.folder)
+        self.write("case.yaml", "flow_function: {shear_tests: [{points: shear.csv}]}\nwall_friction: {file: wall.csv}\n")
+        self.write("wall.csv", "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n0.3,0.06,0.001\n1.2,0.30,0.002\n2,0.6,0.003\n4,1.5,0.003\n")
+        cone = self.found("--set", "margin=0 deg", "--set", "cone.outlet=190 mm")["cone"]
+        self.assertLess(cone["outlet_m"]["value"], 0.19)
+        self.assertGreater(cone["arching_margin"]["value"], 1.0)
 
     def wedge(self, outlet, how, margin=0):
         return self.found("--set", f"margin={margin} deg", "--set", f"wedge={{{how}, outlet: {outlet} mm}}")["wedge"]
