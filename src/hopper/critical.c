@@ -7,6 +7,11 @@
 #define QUICK 20                      ///< rounds after which bounds are halved
 #define NEAREST (0.05 * M_PI / 180.0) ///< rad below a limit: nearer to it the search may miss q
 
+double clod_critical_below(double limit, double margin)
+{
+    return limit - fmax(margin, NEAREST);
+}
+
 double clod_critical_limit(const clod_solid_state *state, double tolerance)
 {
     const clod_radial cone = {CLOD_RADIAL_CONE, state->phi_e, state->phi_w, tolerance};
@@ -21,7 +26,7 @@ bool clod_critical_shape(const clod_solid *solid, const clod_hopper_wish *wish, 
     self->half_angle = wish->half_angle;
     if (wish->half_angle == 0.0) {
         self->limit = clod_critical_limit(&self->state, wish->tolerance);
-        self->half_angle = self->limit - fmax(wish->margin, NEAREST);
+        self->half_angle = clod_critical_below(self->limit, wish->margin);
     }
     const clod_radial field = {wish->shape, self->state.phi_e, self->state.phi_w,
                                wish->tolerance};

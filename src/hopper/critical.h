@@ -11,6 +11,9 @@
 #define CLOD_CRITICAL_CLOSE                                                                    \
     10.0 ///< relative change of sigma_1 at which the state is found, in tolerances
 
+/** The half angle of a design [rad]: the limit less the margin, which counts as 0.05 deg at least. */
+double clod_critical_below(double limit, double margin);
+
 /** Largest half angle of mass flow in a cone for a state; 0: none. */
 double clod_critical_limit(const clod_solid_state *state, double tolerance);
 

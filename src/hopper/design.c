@@ -108,22 +108,19 @@ static flow flow_from(const clod_solid *solid, const clod_hopper_wish *wish, dou
             fabs(next - before) <= CLOD_CRITICAL_CLOSE * wish->tolerance * before) {
             return SLIDES;
         }
-        if (how == UNSETTLED) {
-            return how;
-        }
-        if (how == STICKS && next <= before) {
-            // but a steeper one of a smaller stress may slide
+        if (how == UNSETTLED || (how == STICKS && next <= before)) {
+            // but a steeper one of another stress may slide
             return flow_below(solid, wish, outlet, before, at);
         }
         // where it sticks above, a steeper hopper of a larger stress slides
         clod_bracket_narrow(&in, next > before);
         clod_bracket_go(&in, next);
     }
-    return UNSETTLED;
+    return flow_below(solid, wish, outlet, first, at);
 }
 
 /** The same from small stresses, or else from large ones, or that of so high a column of solid as the outlet is wide: outlets
- *  that are wide may have larger ones than were measured. */
+ *  that are wide may have larger ones than were measured; or from hardly any, where a wall that roughens with stress slides. */
 static flow flow_at(const clod_solid *solid, const clod_hopper_wish *wish, double outlet,
                     clod_hopper_design *at)
 {
@@ -135,7 +132,15 @@ static flow flow_at(const clod_solid *solid, const clod_hopper_wish *wish, doubl
     if (how != SLIDES) {
         how = flow_from(solid, wish, outlet, last, at);
     }
-    return how == SLIDES || column <= last ? how : flow_from(solid, wish, outlet, column, at);
+    if (how != SLIDES && column > last) {
+        how = flow_from(solid, wish, outlet, column, at);
+    }
+    clod_hopper_design low = {0};
+    if (how != SLIDES && flow_from(solid, wish, outlet, NO_STRESS * last, &low) == SLIDES) {
+        *at = low;
+        how = SLIDES;
+    }
+    return how;
 }
 
 /**
@@ -149,13 +154,16 @@ static double lift_of(const clod_solid *solid, const clod_hopper_wish *wish, dou
                : 0.0;
 }
 
-/** Whether a cone of this half angle less `lift`, which is safe for a wedge too, is mass flow at a stress.
+/** Whether a cone of this half angle less `lift`, which is safe for a wedge too, is mass flow at a stress. At a
+ *  limit that is given it is the half angle just below it, since the search may miss the cone's own.
  *  @param axis  [in,out] of the last field that was found, 0: none; NULL: not wanted */
 static bool slides(const clod_solid *solid, const clod_hopper_wish *wish, double lift,
                    double sigma_1, double *axis)
 {
     const clod_solid_state state = clod_solid_at(solid, sigma_1);
-    const double half_angle = wish->half_angle - lift;
+    const double most =
+        wish->limit > 0.0 ? clod_critical_below(wish->limit, 0.0) : (double)INFINITY;
+    const double half_angle = fmin(wish->half_angle, most) - lift;
     if (half_angle <= 0.0) {
         return clod_critical_limit(&state, wish->tolerance) > 0.0;
     }
@@ -221,13 +229,23 @@ static void set_design_state(clod_hopper_design *self, const clod_hopper_design 
     self->built = fmax(built, clod_hopper_is_critical(self) ? self->outlet : 0.0);
 }
 
+/** The critical state of a half angle at which the solid slides at a stress, from there if it is found from no other. */
+static clod_hopper_design settle_near(const clod_solid *solid, const clod_hopper_wish *wish,
+                                      double good)
+{
+    clod_hopper_wish from = *wish;
+    const clod_hopper_design self = clod_critical_settle(solid, wish);
+    from.first = good;
+    return self.outcome == CLOD_HOPPER_FUNNEL ? clod_critical_settle(solid, &from) : self;
+}
+
 /** A hopper with the half angle of a state in which it is mass flow. */
 static clod_hopper_design design_for(const clod_solid *solid, const clod_hopper_wish *wish,
                                      const clod_hopper_design *at, double built)
 {
     clod_hopper_wish fixed = *wish;
     fixed.half_angle = at->half_angle;
-    clod_hopper_design self = clod_critical_settle(solid, &fixed);
+    clod_hopper_design self = settle_near(solid, &fixed, at->state.sigma_1);
     if (self.outcome != CLOD_HOPPER_ARCHES && self.outcome != CLOD_HOPPER_UNSETTLED) {
         begin_to_slide(solid, &fixed, at->state.sigma_1, &self);
     }
@@ -289,6 +307,7 @@ static clod_hopper_design design_own(const clod_solid *solid, const clod_hopper_
     if (wish->outlet > 0.0 && self.outlet <= wish->outlet) {
         // slides at the critical outlet, but not at this one, or no state was found there
         at.outcome = how == STICKS ? CLOD_HOPPER_FUNNEL : CLOD_HOPPER_UNSETTLED;
+        at.outlet = (double)NAN;
         set_design_state(&at, &at, 0.0);
         return at;
     }
@@ -332,7 +351,8 @@ static clod_hopper_design design_given(const clod_solid *solid, const clod_hoppe
 static clod_hopper_design design_below(const clod_solid *solid, const clod_hopper_wish *wish)
 {
     clod_hopper_wish fixed = *wish;
-    fixed.half_angle = wish->half_angle > 0.0 ? wish->half_angle : wish->limit - wish->margin;
+    fixed.half_angle = wish->half_angle > 0.0 ? wish->half_angle
+                                              : clod_critical_below(wish->limit, wish->margin);
     if (fixed.half_angle <= 0.0) {
         return (clod_hopper_design){.outcome = CLOD_HOPPER_FUNNEL, .limit = wish->limit};
     }

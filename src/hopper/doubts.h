@@ -9,6 +9,8 @@
 #include "hopper/tables.h"
 
 #define CLOD_DOUBTS_APART 0.01 ///< relative distance below which two stresses count as the same
+#define CLOD_DOUBTS_SLOPE                                                                      \
+    1.1 ///< ratio below which two stresses tell no slope: scatter hides it
 
 /**
  * Refuse what cannot be.

@@ -67,6 +67,7 @@ static clod_solid_state planned_of(const clod_hopper *self, const clod_hopper_fo
 {
     clod_hopper_wish wish = found->wish;
     wish.half_angle = found->design.half_angle;
+    wish.first = found->design.design_state.sigma_1;
     return clod_hopper_margin_of(&self->solid, &wish, found->planned).state;
 }
 

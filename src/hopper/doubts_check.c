@@ -77,15 +77,39 @@ static bool check_angles(const char *path, const clod_solid *solid, clod_status 
     return true;
 }
 
+/** How far specimens of a wall lie apart at those stresses that several have: the largest standard deviation of
+ *  one, of its shear stress; 0: not known. */
+static double scatter_of(const clod_curve *wall)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < wall->count; i++) {
+        const clod_curve_point *p = &wall->points[i];
+        double count = 0.0;
+        for (size_t k = 0; k < wall->specimens && p->spread != NULL; k++) {
+            count += isnan(p->spread[k]) ? 0.0 : 1.0;
+        }
+        most = fmax(most, count > 0.0 ? sqrt(count) * p->y_error / p->y : 0.0);
+    }
+    return most;
+}
+
+/** The error of a point of a wall, that of one specimen alone included. */
+static double error_of(const clod_curve_point *p, double scatter)
+{
+    return p->spread != NULL ? p->y_error : fmax(p->y_error, scatter * p->y);
+}
+
 /** Shear stresses at a wall do not fall while the normal stress rises: columns, rows or units are wrong. */
 static bool check_rise(const clod_hopper_case *from, const clod_curve *wall,
                        clod_status *status)
 {
+    const double scatter = scatter_of(wall);
     for (size_t i = 1; i < wall->count; i++) {
         const clod_curve_point *q = &wall->points[i];
-        for (size_t k = 0; k < i; k++) {
+        for (size_t k = 0; k < i && wall->points[k].x * CLOD_DOUBTS_SLOPE <= q->x; k++) {
             const clod_curve_point *p = &wall->points[k];
-            if (p->y - q->y > fmax(FIRM * hypot(p->y_error, q->y_error), FALLS * p->y)) {
+            const double error = hypot(error_of(p, scatter), error_of(q, scatter));
+            if (p->y - q->y > fmax(FIRM * error, FALLS * p->y)) {
                 return clod_status_fail(
                     status, CLOD_USAGE,
                     "%s: the wall yield locus falls: tau_w is %.6g kPa at sigma_w %.6g kPa, and %.6g kPa at "

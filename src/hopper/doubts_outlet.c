@@ -127,6 +127,7 @@ static void warn_no_margin(clod_hopper *self, const char *name, const clod_hoppe
 {
     clod_hopper_wish built = found->wish;
     built.half_angle = found->design.half_angle;
+    built.first = found->design.design_state.sigma_1;
     const clod_hopper_margin at = clod_hopper_margin_of(&self->solid, &built, found->planned);
     char why[256];
     if (found->design.outcome == CLOD_HOPPER_FUNNEL) {

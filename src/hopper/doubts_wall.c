@@ -9,7 +9,6 @@
 #define STEEPER (1.0 * DEGREE) // of phi_w: by so much an extrapolation decides
 #define LOWER (0.1 * DEGREE)   // of a limit of mass flow
 #define FLATTER (0.5 * DEGREE) // of a limit, of a margin of some 3 deg
-#define APART 1.1              // of a stress: nearer ones make no slope
 #define MOST_PHI_E (80.0 * DEGREE)
 #define ROUNDS 20 // until sigma_1 and phi_e fit
 
@@ -123,7 +122,7 @@ static double going_on(const clod_curve *phi_e, double sigma_1)
 {
     const clod_curve_point *first = &phi_e->points[0];
     const clod_curve_point *end = first + phi_e->count, *next = first + 1;
-    while (next < end && next->x < APART * first->x) {
+    while (next < end && next->x < CLOD_DOUBTS_SLOPE * first->x) {
         next++;
     }
     if (next == end) {

@@ -71,6 +71,7 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
         clod_hopper_wish built =
             found->wish; // its angle is that of the design, not of a sample
         built.half_angle = found->design.half_angle;
+        built.first = found->design.design_state.sigma_1;
         number[CLOD_HOPPER_MARGIN] = clod_hopper_margin_of(solid, &built, found->planned).ratio;
     }
 }

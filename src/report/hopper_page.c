@@ -44,14 +44,17 @@ static double least_of(const clod_hopper_found *found)
     return found->design.built <= least ? least : 0.0;
 }
 
-/** "an outlet of 500.0 mm or wider" */
+/** "an outlet of 500.0 mm": that, or the stress, which limit and half angle are of. */
 static void tell_outlet(char text[64], const clod_hopper_found *found)
 {
+    const clod_hopper_design *at = &found->design;
     const double least = least_of(found);
-    if (least > 0.0) {
-        snprintf(text, 64, "an outlet of %.1f mm or wider", 1e3 * least);
+    if (least > 0.0 || at->at_measured) {
+        snprintf(text, 64, "an outlet of %.1f mm", 1e3 * (least > 0.0 ? least : at->built));
+    } else if (at->built > 0.0) {
+        snprintf(text, 64, "the critical outlet");
     } else {
-        snprintf(text, 64, "the critical outlet or a wider one");
+        snprintf(text, 64, "a sigma_1 of %.3f kPa", 1e-3 * at->design_state.sigma_1);
     }
 }
 

@@ -166,6 +166,17 @@ class Refusals(hopper_case.Case):
         falls("1,0.6,0\n2,0.53,0\n4,1.6,0\n", "0.6 kPa at sigma_w 1 kPa, and 0.53 kPa at 2 kPa")
         falls("1,0.6,0.03\n2,0.51,0.04\n4,1.6,0.1\n", "")
         falls("1,0.6,0.03\n2,0.49,0.04\n4,1.6,0.1\n", "0.6 kPa at sigma_w 1 kPa, and 0.49 kPa at 2 kPa")
+        # stresses less than a tenth apart tell no slope: there points, and specimens of one place each, scatter
+        falls("0.30,0.080,0\n0.32,0.071,0\n1.2,0.3,0\n", "")
+        falls("0.30,0.080,0\n0.32,0.071,0\n0.34,0.070,0\n1.2,0.3,0\n", "0.08 kPa at sigma_w 0.3 kPa, and 0.07 kPa at 0.34 kPa")
+        head = "seed," + head
+        falls("1,0.30,0.095,0.001\n2,0.31,0.083,0.001\n1,1.2,0.30,0.002\n2,1.22,0.30,0.002\n1,2,0.5,0.002\n2,2.01,0.5,0.002\n", "")
+        # specimens of 0.3 and 0.5 kPa at 1 kPa have a standard deviation of 0.14 kPa, 35 %, so those of 2 and 2.5 kPa may be
+        # 2 hypot(0.34, 0.25) = 0.84 kPa apart; of 0.39 and 0.41 kPa it is 3.5 %, which leaves 0.084
+        other = "2,2,0.95,0.01\n1,2.5,0.72,0.01\n"
+        falls("1,1,0.3,0.01\n2,1,0.5,0.01\n" + other, "")
+        falls("1,1,0.39,0.01\n2,1,0.41,0.01\n" + other, "0.95 kPa at sigma_w 2 kPa, and 0.72 kPa at 2.5 kPa")
+        head = head.removeprefix("seed,")
         # 21.2 deg are 0.37 rad; of a table, tan(0.99 deg) is 0.01728
         self.refuse(CASE.replace("20 deg", "0.37 deg"), ["case.yaml: the wall friction angle is 0.37 deg. No wall is as smooth", "rad"])
         self.write("wall.csv", head + "1,0.01,0\n4,0.06912,0\n")

@@ -116,8 +116,8 @@ class HopperPage(clod.Case):
                                 f"within the errors {margin['low']:.2f} to {margin['high']:.2f}; "
                                 f"{100 * cone['planned_outlet_arching_share']:.1f} % of the samples do not flow"),
                                (told[6], f"{1e-3 * hole['filling_stress_Pa']:.3f} kPa below 8 m of solid in a silo of 3 m"),
-                               (told[0], "from the vertical, for an outlet of 500.0 mm or wider: right"),
-                               (told[3], "from the vertical, for the critical outlet or a wider one: right")):
+                               (told[0], "from the vertical, for an outlet of 500.0 mm: right"),
+                               (told[3], "from the vertical, for the critical outlet: right")):
             self.assertIn(words, caption)
         # the angle of 500 mm is none for the smaller outlet to build: that of a design with this outlet is
         _, smaller = self.design("--set", f"cone.outlet={1e3 * outlet['high']} mm")
@@ -207,6 +207,16 @@ class HopperPage(clod.Case):
         each = [item for texts in kinds.values() for item in (texts[:1] if len(texts) == 1 else [None, *texts])]
         items = page.items[:len(each)]
         self.assertEqual([item for item, of in zip(items, each) if of is not None], [of for of in each if of is not None])
+
+    def test_the_angle_names_its_outlet_on_a_wall_that_holds_the_solid(self):
+        """There the half angle is that of the smallest measured stress, not of the critical outlet."""
+        for name in ("hopper.yaml", "shear.csv", "wall-rust.csv"):
+            shutil.copy(clod.source(f"cases/lab-to-outlet/{name}"), self.folder)
+        page, found = self.design("--set", "wall_friction.file=wall-rust.csv", "--set", "cone={half_angle: auto}")
+        cone = found["cone"]
+        of, critical = (f"{1e3 * value:.1f}" for value in (cone["design_state"]["outlet_m"], cone["outlet_m"]["value"]))
+        self.assertNotEqual(of, critical)
+        self.assertIn(f"for an outlet of {of} mm. As measured", pages.cards(page.text)[0][3])
 
     def test_nothing_from_outside_and_names_are_text(self):
         with open(clod.source("cases/hopper-design/hopper.yaml")) as file:
