@@ -9,6 +9,7 @@ static void load(void **state, const char *from, const char *target)
 {
     clod_plan plan;
     lab_load_good(state, from, target, &plan);
+    assert_true(plan.target_count > 0);
     clod_plan_fini(&plan);
 }
 

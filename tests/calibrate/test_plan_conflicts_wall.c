@@ -18,6 +18,7 @@ static void load(void **state, const char *target)
     if (!lab_load(state, WALL, PLATE, target, &plan, &status)) {
         fail_msg("%s", status.text);
     }
+    assert_true(plan.target_count > 0);
     clod_plan_fini(&plan);
 }
 
