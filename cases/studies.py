@@ -22,10 +22,17 @@ def run_one(clod, folder, name, case, changes, origin=None):
     return status
 
 
-def run_all(clod, folder, jobs, runs):
-    """Run {name: (case, changes) or (case, changes, origin)}, so many side by side, on one thread each: bits do not depend on it. Exit status."""
+def is_there(clod):
+    """Whether there is such a program; says what to do if not."""
     if shutil.which(clod) is None:
         print(f"there is no program {clod}; build it with make, or name it with --clod", file=sys.stderr)
+        return False
+    return True
+
+
+def run_all(clod, folder, jobs, runs):
+    """Run {name: (case, changes) or (case, changes, origin)}, so many side by side, on one thread each: bits do not depend on it. Exit status."""
+    if not is_there(clod):
         return 2
     os.makedirs(folder, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:

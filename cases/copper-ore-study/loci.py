@@ -9,6 +9,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import reading
+import studies
 
 PRESHEAR, SHEAR = 3, 6  # phases of the series
 
@@ -29,6 +30,8 @@ def has_ended(folder, name):
 def evaluated(clod, folder, text):
     """The locus of a table of points, by clod locus. It is in a folder like that of a run: points of simulations have
     a locus whatever its angles are, measured ones are refused where no solid has them."""
+    if not studies.is_there(clod):
+        sys.exit(2)
     of_runs = os.path.join(folder, "joined")
     os.makedirs(of_runs, exist_ok=True)
     open(os.path.join(of_runs, ".clod-lock"), "w").close()

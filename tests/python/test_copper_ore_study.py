@@ -93,6 +93,13 @@ class Settings(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn(f"no test of the study has ended in {folder}: run some first", done.stderr)
 
+    def test_a_program_that_is_not_there(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write_test(folder, "ore5-seed1", 30)
+            done = subprocess.run([TOOL, "--folder", folder, "--clod", "no/clod", "--closing"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr, "there is no program no/clod; build it with make, or name it with --clod\n")
+
     def test_sets_and_wrong_names(self):
         done = subprocess.run([TOOL, "--list", "ways"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
