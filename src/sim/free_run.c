@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "base/plural.h"
 #include "base/text.h"
@@ -241,7 +242,12 @@ static char *make_report(clod_job *job)
     json_t *warnings = warnings_of(job, &now);
     clod_warning_box_put(out, warnings);
     json_decref(warnings);
-    return clod_text_close(&text);
+    char *report = clod_text_close(&text);
+    if (clod_json_lacks_memory()) { // a warning is not there
+        clod_memory_free(report);
+        report = NULL;
+    }
+    return report;
 }
 
 static json_t *stages_json(const clod_job *job)
