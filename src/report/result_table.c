@@ -103,7 +103,7 @@ static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count
         symbols = symbols || rows[k].symbol[0] != '\0';
     }
     fprintf(out,
-            "<div class=\"scroll\"><table class=\"results%s\" id=\"results-table\"><thead><tr>"
+            "<div class=\"scroll\"><table class=\"results%s\"><thead><tr>"
             "<th>quantity</th>%s",
             symbols ? " symbols" : "", symbols ? "<th></th>" : "");
     for (size_t s = 0; s < count; s++) {
@@ -131,7 +131,7 @@ static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count
 static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
                      const clod_result_of *of, size_t count)
 {
-    fputs("<div class=\"scroll\"><table class=\"copied tight\" id=\"results-table\"><thead><tr>"
+    fputs("<div class=\"scroll\"><table class=\"copied tight\"><thead><tr>"
           "<th>run</th>",
           out);
     for (size_t k = 0; k < row_count; k++) {
@@ -162,9 +162,13 @@ static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
 void clod_result_table_put(FILE *out, const clod_result_row *rows, size_t row_count,
                            const clod_result_of *of, size_t count)
 {
-    if (count > CLOD_RESULT_COLUMNS) {
+    if (count > CLOD_RESULT_COLUMNS && row_count <= CLOD_RESULT_NUMBERS) {
         put_rows(out, rows, row_count, of, count);
-    } else {
-        put_columns(out, rows, row_count, of, count);
+        return;
+    }
+    for (size_t s = 0; s < count; s += CLOD_RESULT_COLUMNS) {
+        const size_t left = count - s;
+        put_columns(out, rows, row_count, &of[s],
+                    left < CLOD_RESULT_COLUMNS ? left : CLOD_RESULT_COLUMNS);
     }
 }

@@ -30,6 +30,8 @@ typedef struct clod_result_of {
 } clod_result_of;
 
 #define CLOD_RESULT_COLUMNS 7 ///< as many of them stand in columns; more stand in rows
+#define CLOD_RESULT_NUMBERS                                                                    \
+    16 ///< as many quantities stand side by side; of more, and of many whose, there are several tables
 
 /** A number, or the `value` of an object with one; NaN where there is none. */
 double clod_result_table_number(const json_t *object, const char *key);

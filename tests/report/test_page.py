@@ -58,7 +58,7 @@ class Report(pages.PageCase):
 
     def assert_titles(self, text, locus):
         """Behind each result stands its whole number, as the summary has it."""
-        told = text[text.index('id="results-table"'):text.index('id="points-table"')]
+        told = text[text.index('class="results'):text.index('id="points-table"')]
         titles = [html.unescape(title) for title in re.findall(r'<td title="([^"]*)">', told)]
         found = 0
         for key, unit in (("tau_p_Pa", "Pa"), ("rho_b_kg_m3", "kg/m3"), ("phi_e_deg", "deg"), ("phi_sf_deg", "deg"), ("sigma_1_Pa", "Pa")):
