@@ -8,14 +8,15 @@
 
 #include "base/memory.h"
 #include "base/text.h"
-#include "report/compare_head.h"
 #include "report/compare_keys.h"
+#include "report/compare_sources.h"
 #include "report/html.h"
 #include "report/plain.h"
 #include "report/report.h"
 #include "report/run_damage.h"
 #include "report/run_kinds.h"
 #include "report/sheet.h"
+#include "report/warnings_section.h"
 
 static bool fail_memory(clod_status *status)
 {
@@ -86,7 +87,7 @@ static bool put_runs(clod_sheet *sheet, const clod_run_files *runs, size_t count
 {
     char *html;
     put_head(sheet->body, runs, count);
-    if (!clod_compare_head_warnings(sheet->body, runs, count, lab, status)) {
+    if (!clod_warnings_section_put(sheet->body, runs, count, true, lab, status)) {
         return false;
     }
     clod_html_section(sheet->body, "results", "Results");
@@ -102,7 +103,7 @@ static bool put_runs(clod_sheet *sheet, const clod_run_files *runs, size_t count
     }
     clod_html_section(sheet->body, "figures", "Figures");
     good = runs[0].kind->figures(sheet, runs, count, lab, status);
-    clod_compare_head_sources(sheet->body, runs, count);
+    clod_compare_sources_put(sheet->body, runs, count);
     return good;
 }
 

@@ -10,7 +10,9 @@
 
 /** A quantity. */
 typedef struct clod_result_row {
-    const char *key;     ///< of the JSON: a number, or an object with value, error and scatter
+    const char *
+        key; ///< of the JSON: a number, or an object with value, error and scatter; of a measured one also with
+             ///< `off` and `off_error`, the share by which the simulation is off
     const char *text;    ///< HTML
     const char *symbol;  ///< HTML; "": none
     const char *unit;    ///< HTML
