@@ -31,7 +31,7 @@ static void put_off(FILE *out, const json_t *object)
     const double off = 100.0 * clod_result_table_number(object, "off");
     const double error = 100.0 * clod_result_table_number(object, "off_error");
     if (isfinite(off)) {
-        fprintf(out, " <small>(simulation %s", off > 0.0 ? "+" : "");
+        fprintf(out, " <small class=\"off\">(simulation %s", off > 0.0 ? "+" : "");
         clod_rounded_put(out, off, error, (double)NAN, 1, "%");
         fputs(")</small>", out);
     }
