@@ -138,12 +138,13 @@ static void check_full(const told looks[LOOKS], bool leaves)
 static void compare(clumped_bed how)
 {
     static const int RANKS[] = {2, 3, 4, 7, 16};
+    const size_t counts = how.kind == BED_SLIT ? 5 : 4; // 16 take long
     static told one[LOOKS], several[LOOKS];
     memset(one, 0, sizeof one);
     how.to = one;
     run_bed(&how, NULL);
     check_full(one, how.leaves);
-    for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k++) {
+    for (size_t k = 0; k < counts; k++) {
         if (left_out(k, how.kind == BED_SLIT ? 3 : 1)) {
             continue;
         }
