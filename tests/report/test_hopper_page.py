@@ -27,11 +27,24 @@ CURVES = {"f_c [kPa] over sigma_1": ("flow_function", "sigma_1_Pa", "f_c_Pa", "f
 
 class HopperPage(clod.Case):
 
+    @classmethod
+    def setUpClass(cls):
+        cls.of_template = clod.make_folder()
+        cls.addClassCleanup(shutil.rmtree, cls.of_template)
+        pages.hopper(cls.of_template)
+
+    def template(self):
+        """The page of the template's design, which is made once, and its JSON."""
+        return self.read(self.of_template)
+
+    def read(self, folder):
+        with open(os.path.join(folder, "design.json")) as file:
+            return pages.load(os.path.join(folder, "design.html")), json.load(file)
+
     def design(self, *more):
-        """The page of the template's design, or of one with other values, and its JSON."""
+        """The page of a design with other values or of another case, and its JSON."""
         pages.hopper(self.folder, *more)
-        with open(self.path("design.json")) as file:
-            return pages.load(self.path("design.html")), json.load(file)
+        return self.read(self.folder)
 
     def cell(self, told, number, scale, digits):
         """A cell rounds a number of the JSON, which its title has whole."""
@@ -56,7 +69,7 @@ class HopperPage(clod.Case):
         self.cell(rows[times][0], found["particle_outlet_m"], 1e3, 1)
 
     def test_numbers_are_those_of_the_design(self):
-        page, found = self.design()
+        page, found = self.template()
         tables = pages.titled(page.text)
         for head, shape in (("Cone, round outlet", "cone"), ("Wedge, slot at least 3 times as long", "wedge")):
             self.assert_shape(tables[head], found[shape])
@@ -83,14 +96,14 @@ class HopperPage(clod.Case):
 
     def test_the_design_state(self):
         """The template's cone is for the outlet of 500 mm that it has, not for its critical one."""
-        page, found = self.design()
+        page, found = self.template()
         at = found["cone"]["design_state"]
         self.assertEqual(at["outlet_m"], 0.5)
         self.assertIn(f"Limit and half angle: at the outlet of 500.0 mm, where sigma_1 is {1e-3 * at['sigma_1_Pa']:.3f} kPa, phi_e "
                       f"{at['phi_e_deg']:.1f} and the wall friction angle {at['phi_w_deg']:.1f} deg.", page.text)
 
     def test_warnings_come_first_then_what_to_build(self):
-        page, found = self.design()
+        page, found = self.template()
         places = [page.text.index(f'id="{name}"') for name in ("warnings", "decision", "figures", "results", "interval",
                                                                "measured", "provenance")]
         self.assertEqual(places, sorted(places))
@@ -130,7 +143,7 @@ class HopperPage(clod.Case):
         self.assertEqual(pages.cards(page.text)[1][:3], ("0.4", "400.0", "mm"))
 
     def test_figures_have_the_measured_points(self):
-        page, found = self.design()
+        page, found = self.template()
         chart = {curve["name"]: curve for curve in page.figures["design-chart"]["curves"] if curve["name"]}
         points = found["measured"]["flow_function"]
         shown = [float(x) for x in chart["measured"]["x"]]
@@ -221,7 +234,6 @@ class HopperPage(clod.Case):
     def test_nothing_from_outside_and_names_are_text(self):
         with open(clod.source("cases/hopper-design/hopper.yaml")) as file:
             case = file.read().replace("title: Cohesive solid on steel", "title: A <b> & solid")
-        pages.hopper(self.folder)
         with open(self.path("other.yaml"), "w") as file:
             file.write(case)
         page, _ = self.design("other.yaml")
@@ -234,7 +246,6 @@ class HopperPage(clod.Case):
         self.assertEqual(files, sorted(f"design-{name}.svg" for name in page.figures))
 
     def test_figures_of_an_earlier_design_go_and_files_of_the_user_stay(self):
-        pages.hopper(self.folder)
         self.design("hopper.yaml")
         with open(self.path("design-mine.svg"), "w") as file:
             file.write("<svg/>\n")
