@@ -51,9 +51,9 @@ class CheckMesh(clod.Case):
         return done.stderr
 
     def test_snapshots_and_memory(self):
-        """The files that a run writes, and what 180 000 facets take beside 2."""
+        """The files that a run writes, and what 20 000 facets take beside 2."""
         for more in ("", ", spin: 10 rad/s"):
-            self.case(300, more=more)
+            self.case(100, more=more)
             told = self.check()
             self.run_case()
             files = glob.glob(self.path("out/walls_*.hdf"))
@@ -63,9 +63,9 @@ class CheckMesh(clod.Case):
             self.assertLess(told["disk_snapshots_bytes"], 2.0 * found, more)
         self.case(1)
         few = self.check()
-        self.assertGreater(told["memory_bytes"] - few["memory_bytes"], 100 * 180000)
-        self.assertLess(told["memory_bytes"] - few["memory_bytes"], 400 * 180000)
-        self.assertGreater(told["memory_facets_bytes"], 100 * 180000)
+        self.assertGreater(told["memory_bytes"] - few["memory_bytes"], 100 * 20000)
+        self.assertLess(told["memory_bytes"] - few["memory_bytes"], 400 * 20000)
+        self.assertGreater(told["memory_facets_bytes"], 100 * 20000)
 
     def test_doubts(self):
         """A unit that looks wrong is a warning of both, open edges are a note; a good one is quiet."""

@@ -42,6 +42,7 @@ walls:
       - box: {center: [0 m, -90 mm, 0 m], size: [0.2 m, 10 mm, 120 mm]}
       - box: {center: [0 m, 90 mm, 0 m], size: [0.2 m, 10 mm, 120 mm]}
 """
+FILLED = 0.5  # s: a grain is out of the region after 0.1 s, and out of the domain after 0.25 s
 SIDES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
 
 
@@ -57,7 +58,7 @@ class Inlets(clod.Case):
 
     def warnings(self, flow, velocity, gravity="-9.81 m/s2", streams=1):
         """Those of `clod check` about inlets at rest, of so many streams in one region."""
-        self.write(streams * group(f"mass_flow: {flow} kg/s").replace("    velocity: [0 m/s, 0 m/s, -1 m/s]\n", velocity))
+        self.write(streams * group(f"mass_flow: {flow} kg/s").replace("    velocity: [0 m/s, 0 m/s, -1 m/s]\n", velocity), duration=FILLED)
         text = clod.read(self.path("case.yaml")).decode().replace("0 m/s2, -9.81 m/s2", f"0 m/s2, {gravity}")
         with open(self.path("case.yaml"), "w") as file:
             file.write(text)
@@ -97,7 +98,7 @@ class Inlets(clod.Case):
 
     def judged(self, flow, velocity):
         """What `clod check` says of an inlet with a velocity along z [m/s]."""
-        self.write(group(f"mass_flow: {flow} kg/s").replace("0 m/s, 0 m/s, -1 m/s", f"0 m/s, 0 m/s, {velocity} m/s"))
+        self.write(group(f"mass_flow: {flow} kg/s").replace("0 m/s, 0 m/s, -1 m/s", f"0 m/s, 0 m/s, {velocity} m/s"), duration=FILLED)
         return clod.run("check", "--json", "case.yaml", cwd=self.folder)
 
     def test_slow_grains_are_judged_with_gravity(self):

@@ -97,6 +97,7 @@ class Ridges(clod.TesterCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same_end(self.out, out, ["fill", "wall"])
 
+    @clod.quick_only
     def test_another_programme_begins_from_the_same_filling(self):
         out = self.path("from")
         other = ("--from", self.out, "--set", "wall_friction.wall_stresses=[8 kPa, 4 kPa]")
