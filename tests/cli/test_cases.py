@@ -46,7 +46,7 @@ class Cases(clod.Case):
                     with open(self.path("grains.csv"), "w") as file:
                         file.write(DRUM_GRAINS)
                     path = self.path(name)
-                verb = {"hopper.yaml": ["hopper"], "plan.yaml": ["calibrate", "--check"],
+                verb = {"hopper.yaml": ["hopper", "--set", "interval.samples=100"], "plan.yaml": ["calibrate", "--check"],
                         "plan-8.yaml": ["calibrate", "--check"], "plan-friction.yaml": ["calibrate", "--check"], "plan-wall.yaml": ["calibrate", "--check"],
                         "plan-loci.yaml": ["calibrate", "--check"]}.get(
                     name, ["check", "-t", "1", "--json"])

@@ -123,12 +123,15 @@ def wall(folder, **changes):
           **{"case_HYPHEN_complete__yaml": COMPLETE % (WALL["title"], "2500") + "wall_friction:\n  seeds: 1\n"})
 
 
+FEW = ("--set", "interval.samples=100")  # samples of a hopper's design
+
+
 def hopper(folder, *more):
     """The template's design, or that of another case in the folder, with fewer samples: design.html and design.json."""
     if not os.path.exists(os.path.join(folder, "hopper.yaml")):
         clod.unittest.TestCase().assertEqual(clod.run("new", "hopper", cwd=folder).returncode, 0)
     case = [] if more and more[0].endswith(".yaml") else ["hopper.yaml"]
-    done = clod.run("hopper", *case, *more, "--set", "interval.samples=100", "-o", "design", cwd=folder)
+    done = clod.run("hopper", *case, *more, *FEW, "-o", "design", cwd=folder)
     clod.unittest.TestCase().assertEqual(done.returncode, 0, done.stderr)
     return done
 

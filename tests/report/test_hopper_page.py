@@ -264,13 +264,13 @@ class HopperPage(clod.Case):
         for name in named:
             with open(self.path(name), "w") as file:
                 file.write("mine\n")
-        done = clod.run("hopper", "hopper.yaml", "-o", "new", cwd=self.folder)
+        done = clod.run("hopper", "hopper.yaml", *pages.FEW, "-o", "new", cwd=self.folder)
         self.assertEqual(done.returncode, 2)
         self.assertIn("clod hopper: ./new-outlets.svg is in the way of a figure of new.html", done.stderr)
         self.assertEqual(sorted(name for name in os.listdir(self.folder) if name.startswith("new")), ["new-outlets.svg", *named])
         self.assertEqual([clod.read(self.path(name)) for name in named], 3 * [b"mine\n"])
         os.remove(self.path("new-outlets.svg"))
-        self.assertEqual(clod.run("hopper", "hopper.yaml", "-o", "new", cwd=self.folder).returncode, 0)
+        self.assertEqual(clod.run("hopper", "hopper.yaml", *pages.FEW, "-o", "new", cwd=self.folder).returncode, 0)
         self.assertNotIn(b"mine\n", [clod.read(self.path(name)) for name in named])
 
 
