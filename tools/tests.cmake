@@ -215,7 +215,7 @@ endif()
 if(NOT CLOD_SANITIZE)
   set_tests_properties(parallel/test_mpirun parallel/test_mpirun_limits parallel/test_mpirun_library
     parallel/test_mpirun_groups parallel/test_mpirun_from parallel/test_mpirun_pieces
-    parallel/test_mpirun_shapes_slow faults/test_mpirun_faults cli/test_disk PROPERTIES PROCESSORS 2)
+    parallel/test_mpirun_shapes_slow parallel/test_mpirun_disk faults/test_mpirun_faults PROPERTIES PROCESSORS 2)
 endif()
 
 # The verification suite as users run it; it fails when any quantity misses its tolerance. With sanitizers

@@ -6,11 +6,9 @@ import resource
 import shutil
 import subprocess
 import sys
-import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import clod
-import mpirun
 
 BOX = clod.source("tests/restart/box.yaml")
 
@@ -91,18 +89,6 @@ class Disk(clod.Case):
             self.assert_same_end(whole, folder, ["run"])
         finally:
             subprocess.run(["umount", disk], check=True)
-
-
-@unittest.skipUnless(os.environ.get("CLOD_MPI") == "1", "clod was built without MPI")
-@clod.quick_only
-class DiskOfRanks(Disk):
-
-    OPTIONS = [*Disk.OPTIONS, "--set", "stages.1.duration=20 ms", "--set", "stages.2.duration=10 ms"]
-
-    def run_case(self, folder, **more):
-        return mpirun.run(2, clod.BINARY, "run", BOX, "-o", folder, *self.OPTIONS, **more)
-
-    test_size_limit = None  # it would be one of MPI's own files, too
 
 
 if __name__ == "__main__":

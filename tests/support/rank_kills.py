@@ -13,6 +13,8 @@ import clod
 from mpirun import MPIRUN
 
 SLIT = clod.source("tests/parallel/slit.yaml")
+# beyond a time limit by several times
+LONG = ("--set", "stages.1.duration=40 ms", "--set", "time.step=8e-7 s")
 OFTEN = ("--set", "output.checkpoint_interval=0.05 s")
 SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
 
