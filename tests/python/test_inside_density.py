@@ -21,7 +21,7 @@ LEAST = ("preshear_stress: 10 kPa", "preshear_min: 1 mm\n  preshear_stress: 10 k
 FINE = (("radius: {mean: 2.5 mm, sd: 0.15 mm, min: 2.2 mm, max: 2.8 mm}",
          "radius: {mean: 1.6 mm, sd: 0.1 mm, min: 1.4 mm, max: 1.8 mm}"), ("grain_count: 350", "grain_count: 1800"),
         LEAST)
-RING = (("bar_height: 4 mm", "bar_height: 2 mm"), ("preshear_max: 30 mm", "preshear_max: 10 mm"), ("shear_max: 2.5 mm", "shear_max: 1.2 mm"),
+RING = (("bar_height: 4 mm", "bar_height: 2 mm"), ("preshear_max: 30 mm", "preshear_max: 6 mm"), ("shear_max: 2.5 mm", "shear_max: 1.2 mm"),
         ("block_displacement: 2 mm", "block_displacement: 1 mm"), ("beyond_peak: 1 mm", "beyond_peak: 0.3 mm"),
         ("[3 kPa, 5 kPa, 7 kPa]", "[3 kPa, 7 kPa]"))
 JENIKE = (("preshear_max: 6.1 mm", "preshear_max: 3.1 mm"), ("[3 kPa, 5 kPa, 7 kPa]", "[3 kPa, 7 kPa]"))
@@ -50,7 +50,7 @@ class InsideDensity(clod.Case):
         with h5py.File(self.path(f"out/{last['name']}")) as file:
             centre = file["VTKHDF/Points"][:]
             radius = file["VTKHDF/PointData/radius"][:]
-        line = (numpy.arange(32) + 0.5) / 16 - 1  # 17 000 points in each grain: within 0.05 % of the limit
+        line = (numpy.arange(20) + 0.5) / 10 - 1  # 4200 points in each grain: within 0.1 % of the limit
         cube = numpy.stack(numpy.meshgrid(line, line, line), -1).reshape(-1, 3)
         ball = cube[(cube**2).sum(1) < 1]
         points = centre[:, None, :] + radius[:, None, None] * ball
