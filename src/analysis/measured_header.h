@@ -13,6 +13,7 @@ typedef enum clod_measured_stress {
     CLOD_MEASURED_OF_SHEAR,   ///< normal and shear stress of shear points
     CLOD_MEASURED_OF_WALL,    ///< those at a wall
     CLOD_MEASURED_OF_SIGMA_1, ///< the major principal one, as a flow function and bulk densities
+    CLOD_MEASURED_OF_REPOSE,  ///< none, but angles of repose
 } clod_measured_stress;
 
 #define CLOD_MEASURED_HEADER 1024 ///< bytes of a header that are looked at
