@@ -314,8 +314,9 @@ void clod_plan_conflicts_shear(clod_loader *loader, clod_plan *self, size_t test
     const size_t before = loader->report->count;
     check_points(loader, self, test);
     numbers all, some, room;
-    const bool made =
-        init(&all, self, test) & init(&some, self, test) & init(&room, self, test);
+    bool made = init(&all, self, test);
+    made = init(&some, self, test) && made; // each, for fini
+    made = init(&room, self, test) && made;
     if (made && loader->report->count == before) {
         check(loader, self, test, &all, &some, &room);
     }
