@@ -204,6 +204,16 @@ static void table_of_another_test_is_refused(void **state)
         "tables test lab takes bulk densities (sigma_1, rho_b), a flow function (sigma_1, sigma_c)");
 }
 
+// By hand: tau = 5 kPa + 0.5 sigma has 32.4 kPa at 54.8 kPa; 12 kPa are 0.37 of it.
+static void preshear_far_below_its_line_is_refused(void **state)
+{
+    lab_write_file(state, "lab.csv", SHEAR_HEAD "54.8,12,12,11,0.1\n54.8,12,30,20,0.1\n");
+    lab_refuse_of(
+        state, RING, "contacts.default.rolling_friction", "locus: lab.csv",
+        "lab.csv:2, 3: the yield locus at a preshear stress of 54.800 kPa has tau_pre = 12.000 kPa, 0.370 of the "
+        "32.400 kPa");
+}
+
 static void wall_table_that_is_no_target_is_refused(void **state)
 {
     lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,0\n");
@@ -249,6 +259,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(repeats_at_one_wall_stress_are_one_target,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(wall_table_that_is_no_target_is_refused,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(preshear_far_below_its_line_is_refused,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(table_of_another_test_is_refused, temp_folder_make,
                                         temp_folder_remove),
