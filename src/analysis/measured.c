@@ -89,7 +89,7 @@ static bool read_wall(const char *path, const char *text, size_t length,
         return false;
     }
     clod_status why = {0};
-    const bool good = clod_wall_locus_evaluate(points, count, &self->wall, &why);
+    const bool good = clod_wall_locus_of_table(points, count, &self->wall, &why);
     clod_locus_free(points);
     return good || fail_evaluation(path, &why, status);
 }

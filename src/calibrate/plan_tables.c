@@ -87,7 +87,7 @@ static bool make_wall(maker *self, size_t test, const clod_number *kind, clod_st
         return false;
     }
     clod_wall_locus locus;
-    const bool good = clod_wall_locus_evaluate(points, count, &locus, status);
+    const bool good = clod_wall_locus_of_table(points, count, &locus, status);
     clod_locus_free(points);
     if (good) {
         make_angles(self, test, kind, &locus);

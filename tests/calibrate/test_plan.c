@@ -235,8 +235,12 @@ static void wall_table_that_is_no_target_is_refused(void **state)
     refuse(
         state, "locus: lab.csv, number: phi_w, error: 0.5 deg",
         "targets.0.number: phi_w is none of a wall yield locus (sigma_w, tau_w); of such a table it is phi_x");
-    lab_write_file(state, "lab.csv", WALL_HEAD "20,0,0.1,1\n10,2.5,0.1,1\n");
-    refuse(state, "locus: lab.csv", "has a phi_x of 0 deg at 20 kPa; allowed is 1 to 85 deg");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,0,0.1,1\n");
+    refuse(state, "locus: lab.csv", "has a phi_x of 0 deg at 10 kPa; allowed is 1 to 85 deg");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,2,0.1,1\n10,2.5,0.1,1\n"); // atan(-0.05)
+    refuse(
+        state, "locus: lab.csv",
+        "targets.0.locus: the wall yield locus falls: its line has phi_w = -2.9 deg. No wall");
 }
 
 int main(void)

@@ -225,9 +225,12 @@ class Locus(clod.Case):
                            ("sigma_1 [kPa],f_c [kPa],rho_b [kg/m3]\n1,1,1000\n", "clod hopper reads it"),
                            ("Sigma_w [kPa],Tau_w [kPa]\n1,1\n", "did you mean sigma_w?")):
             self.assertIn(said, self.locus("-", input=text, code=2).stderr)
-        falling = "sigma_w [kPa],tau_w [kPa]\n1,1\n2,0.5\n"
-        self.assertIn("clod locus: The shear stress falls",
-                      self.locus("-", "--csv", input=falling).stderr)
+        for form in ([], ["--json"], ["--csv"]):  # atan(-0.5)
+            done = self.locus("-", *form, input="sigma_w [kPa],tau_w [kPa]\n1,1\n2,0.5\n", code=2)
+            self.assertEqual(done.stdout, "")
+            self.assertIn("clod locus: standard input: the wall yield locus falls: its line has phi_w = -26.6 deg.", done.stderr)
+        simulated = "sigma_w [kPa],tau_w [kPa],wall_stress [kPa]\n1,1,1\n2,0.5,2\n"
+        self.assertIn("clod locus: The shear stress falls", self.locus("-", "--csv", input=simulated).stderr)
 
 
 class New(clod.Case):
