@@ -286,7 +286,8 @@ static bool parse(const char *path, const char *text, size_t length,
 {
     self->kind = clod_measured_kind_of(text, length);
     const kind_row *kind = &KINDS[self->kind];
-    return check_known(path, text, length, status) &&
+    return clod_measured_header_check(path, clod_measured_stress_of(text, length), status) &&
+           check_known(path, text, length, status) &&
            check_header(path, text, length, status) &&
            check_defaults(path, defaults, kind, status) &&
            kind->read(path, text, length, defaults, self, status);

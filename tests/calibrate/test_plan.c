@@ -204,6 +204,15 @@ static void table_of_another_test_is_refused(void **state)
         "tables test lab takes bulk densities (sigma_1, rho_b), a flow function (sigma_1, sigma_c)");
 }
 
+static void densities_over_the_preshear_stress_are_refused(void **state)
+{
+    lab_write_file(state, "lab.csv", "sigma_pre [kPa],rho_b [kg/m3]\n20,1400\n54.8,1500\n");
+    lab_refuse_of(
+        state, RING, "contacts.default.rolling_friction", "locus: lab.csv",
+        "lab.csv: is a table of bulk densities over the preshear stress (sigma_pre, rho_b). A table of bulk "
+        "densities needs sigma_1");
+}
+
 // By hand: tau = 5 kPa + 0.5 sigma has 32.4 kPa at 54.8 kPa; 12 kPa are 0.37 of it.
 static void preshear_far_below_its_line_is_refused(void **state)
 {
@@ -263,6 +272,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(repeats_at_one_wall_stress_are_one_target,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(wall_table_that_is_no_target_is_refused,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(densities_over_the_preshear_stress_are_refused,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(preshear_far_below_its_line_is_refused,
                                         temp_folder_make, temp_folder_remove),

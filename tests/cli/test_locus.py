@@ -232,6 +232,15 @@ class Locus(clod.Case):
         simulated = "sigma_w [kPa],tau_w [kPa],wall_stress [kPa]\n1,1,1\n2,0.5,2\n"
         self.assertIn("clod locus: The shear stress falls", self.locus("-", "--csv", input=simulated).stderr)
 
+    def test_densities_over_the_preshear_stress(self):
+        """As laboratories print them: said with what to do, not taken for shear points without their columns."""
+        for head in ("sigma_pre [kPa],rho_b [kg/m3]", "rho [kg/m3],sigma_p [kPa]", "seed,sigma_pre [kPa],rho_b [kg/m3],rho_b_error [kg/m3]"):
+            said = self.locus("-", input=head + "\n" + ",".join("1" * len(head.split(","))) + "\n", code=2).stderr
+            self.assertIn("standard input: is a table of bulk densities over the preshear stress (sigma_pre, rho_b). A table of bulk "
+                          "densities needs sigma_1, the major principal stress of consolidation, in place of sigma_pre", said)
+            self.assertIn("which clod locus prints for its shear points", said)
+        self.assertIn("has no column sigma_sh", self.locus("-", input="sigma_pre [kPa],tau_sh [kPa],rho_b [kg/m3]\n1,1,1\n", code=2).stderr)
+
 
 class New(clod.Case):
 

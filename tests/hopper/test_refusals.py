@@ -222,6 +222,10 @@ class Refusals(hopper_case.Case):
         done = self.hopper("case.yaml", "--set", "flow_function={shear_tests: [{points: wall.csv}]}", code=2)
         self.assertIn(f"wall.csv: is a table of {wall}; flow_function.shear_tests takes shear points", done.stderr)
 
+        self.write("density.csv", "sigma_pre [kPa],rho_b [kg/m3]\n3,1200\n12,1300\n")
+        done = self.hopper("case.yaml", "--set", "bulk_density={file: density.csv}", code=2)
+        self.assertIn("density.csv: is a table of bulk densities over the preshear stress (sigma_pre, rho_b). A table of bulk densities needs "
+                      "sigma_1", done.stderr)
 
     def test_the_command_line(self):
         self.assertIn("which case?", self.hopper(code=2).stderr)
