@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import hopper_case
-from hopper_case import CASE, QUICK, clod
+from hopper_case import CASE, QUICK, ROWS, clod
 
 
 class Hopper(hopper_case.Case):
@@ -19,10 +19,13 @@ class Hopper(hopper_case.Case):
         self.assertEqual(sorted(os.listdir(self.folder)),
                          ["flow-function.csv", "hopper.yaml", "wall.csv"])
         told = self.hopper("hopper.yaml", "-o", "design").stdout
-        self.assertTrue(told.endswith("\nwrote design.json\nwrote design.svg\nwrote design.html\n"), told)
+        figures = [name for name in os.listdir(self.folder) if re.fullmatch("design-.*[.]svg", name)]
+        self.assertGreater(len(figures), 4)
+        wrote = "wrote NAME.json\nwrote NAME.svg\nwrote NAME.html\nwrote NAME-FIGURE.svg, the page's {} figures\n".format(len(figures))
+        self.assertTrue(told.endswith("\n" + wrote.replace("NAME", "design")), told)
         as_json = self.hopper("hopper.yaml", "-o", "again", "--json")
         json.loads(as_json.stdout)
-        self.assertEqual(as_json.stderr, "wrote again.json\nwrote again.svg\nwrote again.html\n")
+        self.assertEqual(as_json.stderr, wrote.replace("NAME", "again"))
         with open(self.path("design.json")) as file:
             found = json.load(file)
         self.assertEqual(found["cone"]["outcome"], "flows")
@@ -124,6 +127,28 @@ class Hopper(hopper_case.Case):
         root = xml.etree.ElementTree.parse(self.path("design.svg")).getroot()
         self.assertEqual(next(root.iter("{http://www.w3.org/2000/svg}text")).text,
                          "Ore [1m<A> & B")
+
+    def drawn(self, *rows):
+        """Measured points that the chart has, and its words."""
+        self.start(rows="".join(rows))
+        self.hopper("case.yaml", "-o", "design")
+        root = xml.etree.ElementTree.parse(self.path("design.svg")).getroot()
+        marks = [node for node in root.iter("{http://www.w3.org/2000/svg}circle") if node.get("fill") == "#222222"]
+        return len(marks), " ".join(node.text for node in root.iter("{http://www.w3.org/2000/svg}text"))
+
+    def test_the_chart_has_the_measured_points_or_tells_of_them(self):
+        rows = ROWS.splitlines(keepends=True)
+        self.start()
+        critical = self.found()
+        near = max(3e-3 * max(critical[shape]["sigma_1_Pa"]["value"] for shape in ("cone", "wedge")), 4.0)
+        self.assertLess(near, 8.0)
+        self.assertGreater(2.0 * near, 8.0)  # to show 8 kPa less than doubles the axis
+        count, words = self.drawn(*rows)
+        self.assertEqual(count, 3)
+        self.assertNotIn("outside", words)
+        count, words = self.drawn(*rows, "40,10.9,0.3,45,39,1400\n")  # on the line through the first two
+        self.assertEqual(count, 3 if near > 8 else 2)
+        self.assertIn(f"{4 - count} of 4 measured points outside; measured up to 40 kPa", words)
 
     def test_smaller_outlets_arch_and_larger_do_not(self):
         self.start()
