@@ -90,6 +90,12 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
         snprintf(text, CLOD_WORDS_MOST,
                  "Mass flow, and no cohesive arch above the critical outlet. It is the wall's: "
                  "at the stresses of smaller ones the solid does not slide along it.");
+    } else if (at->outcome == CLOD_HOPPER_FUNNEL && found->wish.shape == CLOD_RADIAL_WEDGE) {
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "Funnel flow: the solid does not slide along this wall. A smoother or a steeper one "
+            "may help; otherwise only a slot empties that is wider than the width in funnel "
+            "flow, and whose diagonal is longer than the rathole's diameter.");
     } else {
         snprintf(text, CLOD_WORDS_MOST, "%s", WORDS[at->outcome]);
     }
