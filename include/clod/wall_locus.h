@@ -22,6 +22,7 @@ typedef struct clod_wall_locus_point {
     double tau_error;   ///< standard error of tau
     double wall_stress; ///< the wall normal stress that was asked for; 0: not stated
     bool unsteady;      ///< the shear stress still changed where tau was taken
+    bool of_angle; ///< tau is that of an angle phi_x, which was measured or told in its place
 } clod_wall_locus_point;
 
 /** A point with what follows from it. */
@@ -57,6 +58,16 @@ typedef struct clod_wall_locus {
  * ch. 3.3.   Test  tests/analysis/test_wall_locus.c
  */
 bool clod_wall_locus_evaluate(const clod_wall_locus_point *points, size_t count,
+                              clod_wall_locus *locus, clod_status *status);
+
+/**
+ * The same of points from a table, of which a line that falls is refused: no wall has one. Where all points have a
+ * wall_stress they are of a simulation, and it is a warning.
+ *
+ * Errors  CLOD_USAGE: as clod_wall_locus_evaluate, and phi_w below 0.   Threads pure.
+ * Test    tests/analysis/test_wall_locus.c
+ */
+bool clod_wall_locus_of_table(const clod_wall_locus_point *points, size_t count,
                               clod_wall_locus *locus, clod_status *status);
 
 /** Free the content; an empty locus is fine, NULL is not. */

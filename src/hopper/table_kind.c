@@ -2,11 +2,12 @@
 
 #include "analysis/measured_header.h"
 
-/** The keys that tables belong to. */
+/** Where tables belong. */
 static const char *const KEYS[] = {
     [CLOD_MEASURED_OF_SHEAR] = "flow_function.shear_tests",
     [CLOD_MEASURED_OF_WALL] = "wall_friction.file",
     [CLOD_MEASURED_OF_SIGMA_1] = "flow_function.file or bulk_density.file",
+    [CLOD_MEASURED_OF_REPOSE] = "a target of clod calibrate",
 };
 
 /** @param path  NULL: the key is not given */
@@ -15,6 +16,9 @@ static bool is_of(const char *path, const char *key, clod_measured_stress takes,
 {
     const clod_measured_stress found =
         path != NULL ? clod_measured_stress_in(path) : CLOD_MEASURED_OF_NONE;
+    if (!clod_measured_header_check(path, found, status)) {
+        return false;
+    }
     return found == CLOD_MEASURED_OF_NONE || found == takes ||
            clod_status_fail(status, CLOD_USAGE,
                             "%s: is a table of %s, which belongs in %s; %s takes %s.", path,

@@ -151,6 +151,30 @@ static void a_locus_that_is_odd_says_so(void **state)
     clod_wall_locus_fini(&locus);
 }
 
+// atan(-0.1): of a table; where all points tell the stress that was asked for they are of a simulation.
+static void a_table_that_falls_is_refused(void **state)
+{
+    (void)state;
+    clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 500.0},
+                                      {.sigma = 2e3, .tau = 400.0}};
+    clod_wall_locus locus;
+    clod_status status = {0};
+    assert_false(clod_wall_locus_of_table(points, 2, &locus, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_null(locus.marks);
+    assert_non_null(
+        strstr(status.text, "the wall yield locus falls: its line has phi_w = -5.7 deg."));
+    points[0].wall_stress = 1e3;
+    assert_false(clod_wall_locus_of_table(points, 2, &locus, &status));
+    points[1].wall_stress = 2e3;
+    assert_true(clod_wall_locus_of_table(points, 2, &locus, &status));
+    assert_non_null(strstr(locus.warnings[0], "give more shear, more grains or more seeds"));
+    clod_wall_locus_fini(&locus);
+    points[1] = (clod_wall_locus_point){.sigma = 2e3, .tau = 500.0}; // flat
+    assert_true(clod_wall_locus_of_table(points, 2, &locus, &status));
+    clod_wall_locus_fini(&locus);
+}
+
 static void expect_only(const clod_wall_locus_point *points, size_t count, const char *text)
 {
     clod_wall_locus locus = evaluate(points, count);
@@ -186,6 +210,19 @@ static void an_angle_that_no_wall_has_is_told(void **state)
                                             {.sigma = 5e3, .tau = 3e3},
                                             {.sigma = 10e3, .tau = 5e3}};
     expect_only(sticky, 3, NULL);
+}
+
+/** 0.4 rad and 0.38 under deg, by hand; and 75 deg, from a table without tau_w. */
+static void angles_of_a_table_that_no_wall_has(void **state)
+{
+    (void)state;
+    clod_wall_locus_point wall[] = {{.sigma = 5e3, .tau = 34.9, .of_angle = true},
+                                    {.sigma = 10e3, .tau = 66.3, .of_angle = true}};
+    expect_only(wall, 2,
+                "no wall is as smooth. Has phi_x another unit, rad under a header in deg");
+    wall[0].tau = 18.66e3;
+    wall[1].tau = 37.32e3;
+    expect_only(wall, 2, "no wall is as rough. Has phi_x another unit");
 }
 
 /** A simulation has no columns to exchange and no units to mistake: what else it may be is said. */
@@ -284,7 +321,9 @@ int main(void)
         cmocka_unit_test(seeds_give_their_mean_and_scatter),
         cmocka_unit_test(what_is_no_locus_is_refused),
         cmocka_unit_test(a_locus_that_is_odd_says_so),
+        cmocka_unit_test(a_table_that_falls_is_refused),
         cmocka_unit_test(an_angle_that_no_wall_has_is_told),
+        cmocka_unit_test(angles_of_a_table_that_no_wall_has),
         cmocka_unit_test(an_angle_that_no_simulated_wall_has),
         cmocka_unit_test(a_stated_error_as_large_as_its_value_is_told),
         cmocka_unit_test(a_small_error_is_no_zero),

@@ -188,6 +188,30 @@ class Hopper(hopper_case.Case):
         with open(self.path("rough.svg")) as file:
             self.assertIn("cone: funnel flow", file.read())
 
+    def test_a_slot_in_funnel_flow(self):
+        """f_c = 0.9 kPa + sigma_1/4 meets sigma_1/1.7 at 2.6609 kPa, f_c 1.5652; rho_b is 1266.5 there, between 1250 at 2 and
+        1300 at 4 kPa; 1.15 f_c/(rho g) = 144.93 mm. Errors of f_c alone: the width moves by those of f_c there over 1 - 1.7/4."""
+        self.start(CASE.replace("angle: 20 deg", "angle: 46 deg"))
+        told = self.hopper("case.yaml", "-o", "rough").stdout
+        cone, wedge = told.split("\nWedge, slot")
+        self.assertIn("otherwise only an outlet wider than the rathole empties.", " ".join(cone.split()))
+        self.assertIn("otherwise only a slot empties that is wider than the width in funnel flow, and whose diagonal is longer than "
+                      "the rathole's diameter.", " ".join(wedge.split()))
+        with open(self.path("rough.json")) as file:
+            found = json.load(file)["rathole"]["slot_width_m"]
+        stress = 900.0 / (1 / 1.7 - 0.25)
+        width = 1.15 * stress / 1.7 / ((1250.0 + 25.0 * (stress / 1e3 - 2.0)) * 9.80665)
+        self.assertAlmostEqual(found["value"], width, delta=1e-9)
+        self.assertTrue(0.9 * width < found["low"] < 0.98 * width and 1.02 * width < found["high"] < 1.1 * width, found)
+        row = re.search(r"  width of a slot in funnel flow +([0-9.]+) +([0-9.]+) +([0-9.]+)  mm\n", wedge)
+        self.assertEqual(row.groups(), tuple(f"{1e3 * found[key]:.1f}" for key in ("value", "low", "high")))
+        self.assertNotIn("width of a slot", cone)
+        self.assertNotIn("for a slot in funnel flow sigma_1", wedge)  # 2.66 kPa is between 2 and 8
+        with open(self.path("rough.html")) as file:
+            page = file.read()
+        self.assertIn(f"width of the slot to build, at least, if it stays funnel flow; its diagonal must be longer than the rathole&#39;s "
+                      f"diameter. As measured {1e3 * width:.1f}, within the errors", page.replace("rathole's", "rathole&#39;s"))
+
     def test_a_wedge_flatter_than_a_cone_may_be_is_not_called_mass_flow(self):
         """The field has a solution for 60 deg, far beyond any chart; headline, shares, warning, JSON and
         chart say that mass flow is not known."""
