@@ -28,6 +28,7 @@ RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
 JENIKE = clod.source("tests/restart/jenike.yaml")
 WALL_FRICTION = clod.source("tests/parallel/wall_friction.yaml")
+NO_LEDGER = ("--set", "output.energy=false")  # it takes most of the time
 
 
 def start(ranks, *arguments):
@@ -103,7 +104,7 @@ class Mpirun(clod.Case):
         self.assertEqual([point["wall_stress"] for point in points], [1e3, 600.0])
 
     def assert_same_on_ridges(self, *options):
-        self.assert_same_on((2,), WALL_FRICTION, *options, "--set",
+        self.assert_same_on((2,), WALL_FRICTION, *options, *NO_LEDGER, "--set",
                             "wall_friction.plate_ridges={height: 1 mm, spacing: 4 mm}",
                             parts=("fill", "wall"))
 
@@ -123,7 +124,7 @@ class Mpirun(clod.Case):
             file.write(f"{text}\nfields: {{grid: {{region: {box}, cell: 5 mm, width: 10 mm, frames: true}}}}\n"
                        f"mixing: {{size: {{region: {box}, cell: 10 mm, above: 2.8 mm}}}}\n")
         parts = ("preshear", "reverse", "point-1", "point-2")
-        self.assert_same_on((2,), self.path("grids.yaml"), "--set", "ring_shear.preshear_min=2 mm",
+        self.assert_same_on((2,), self.path("grids.yaml"), *NO_LEDGER, "--set", "ring_shear.preshear_min=2 mm",
                             "--set", "ring_shear.preshear_max=5 mm", parts=parts)
         for part in parts:
             self.assertTrue(os.path.exists(self.path(f"ranks-2/{part}_field_grid.hdf")))
