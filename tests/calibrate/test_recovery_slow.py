@@ -21,7 +21,11 @@ class Recovery(clod.Case):
         inside, of, width = re.search(r"(\d+) of (\d+) intervals hold the truth; their mean width is (\S+)", done.stdout).groups()
         self.assertEqual(int(of), 10)
         self.assertGreaterEqual(int(inside), 8)
-        self.assertLess(float(width), 0.6)  # 0.9 is that of the range
+        self.assertLess(float(width), 0.6)  # 0.9 is that of the range, whose interval would hold all ten
+        z, error, blind = (float(number) for number in re.search(r"rms of z (\S+); of mean less truth (\S+) mN, of the range's "
+                                                                 r"middle less truth (\S+) mN", done.stdout).groups())
+        self.assertLess(z, 1.6)  # ten normal numbers have 1.5 or less in 99 of 100 tables: chi-square of 10, 23.2
+        self.assertLess(error, 0.75 * blind)
 
 
 if __name__ == "__main__":
