@@ -11,6 +11,7 @@ LABORATORY = {"ore5": 47.3, "ore8": 46.7}  # deg, Jenike tester
 NEAR = 2.0  # deg
 READINGS = ("phi_lin", "phi_e", "phi_sf", "highest points")  # columns of records
 COUNTED = READINGS[:3]  # the highest points follow phi_lin: no reading of their own where chance is told
+AGAIN = {(settings.BEYOND, "phi_sf")}  # of the preshears of settings.BEFORE, which are counted there
 
 
 def student(x, freedom):
@@ -110,7 +111,7 @@ def chance(found, readings):
     means = {ore: {(choice, reading): loci.mean(angles)
                    for (choice, of), known in found.items() if of == ore
                    for reading, angles in known.items()
-                   if reading in readings and is_whole(angles)} for ore in settings.CASES}
+                   if reading in readings and (choice, reading) not in AGAIN and is_whole(angles)} for ore in settings.CASES}
     values = [angle for angles in means.values() for angle in angles.values()]
     low, high = min(values), max(values)
     shares = {ore: share_near(low, high, PAPER[ore]) for ore in means}

@@ -214,8 +214,8 @@ class Tables(unittest.TestCase):
         """30 and 34 degrees scatter by sqrt(8) = 2.8; force, 40 degrees once, is 8.0 ± 2.8 sqrt(1 + 1/2) = 3.5 above."""
         write_test(self.folder, "ore5-force", 40.0)
         text = self.show("choices")
-        self.assertIn("| the case | 2 | 32.0 ± 2.0 | - |", text)
-        self.assertIn("| coulomb: force | 1 | 40.0 ± 2.8 | +8.0 ± 3.5 |", text)  # sqrt(2.0^2 + 2.8^2) is the same
+        self.assertIn("| the case | 2 | - | 32.0 ± 2.0 | - |", text)
+        self.assertIn("| coulomb: force | 1 | the case | 40.0 ± 2.8 | +8.0 ± 3.5 |", text)  # sqrt(2.0^2 + 2.8^2) is the same
         self.assertIn("phi_lin |\n", text)
         self.assertIn("8 %: nothing to compare with: run ore8-seed1", text)
 
@@ -224,11 +224,23 @@ class Tables(unittest.TestCase):
         degrees of freedom. Pooled it were sqrt(10/3 (1/2 + 1/3)) = 1.67."""
         for name, degrees in (("ore5-force", 40.0), ("ore5-force-seed2", 41.0), ("ore5-force-seed3", 42.0)):
             write_test(self.folder, name, degrees)
-        self.assertIn("| coulomb: force | 3 | 41.0 ± 0.6 | +9.0 ± 2.1 |", self.show("choices"))
+        self.assertIn("| coulomb: force | 3 | the case | 41.0 ± 0.6 | +9.0 ± 2.1 |", self.show("choices"))
         self.assertAlmostEqual(study.freedom_of((2.0, 1), (3 ** -0.5, 2)), 1.1696, places=4)
         self.assertAlmostEqual(study.freedom_of((1.0, 5), (1.0, 5)), 10.0)
         for freedom, share in ((1, 0.2952), (5, 0.1019), (11, 0.0708)):  # 1 - (2/pi) atan 2; tables of Student's t
             self.assertAlmostEqual(study.beyond_two(freedom), share, places=4)
+
+    def test_choices_at_twice_the_speed_have_its_tests_to_compare_with(self):
+        """10 mm beyond the peak, 38 degrees twice, is 38 - 36 = +2 ± 2 from 36 ± 2 of the same speed, not +6 from the case's 32;
+        and its phi_sf, of the same preshears, is no reading of its own."""
+        for name, degrees in (("ore5-speed-x-2", 34.0), ("ore5-speed-x-2-seed2", 38.0), ("ore5-10-mm-beyond-the-peak", 38.0),
+                              ("ore5-10-mm-beyond-the-peak-seed2", 38.0)):
+            write_test(self.folder, name, degrees)
+        self.assertIn("| 10 mm beyond the peak | 2 | speed x 2 | 38.0 ± 0.0 | +2.0 ± 2.0 |", self.show("choices"))
+        found = closing.packings_of(program.BINARY, self.folder, {})
+        _, _, ores = closing.chance(found, closing.COUNTED)
+        self.assertEqual([reading for choice, reading in ores["ore5"][0] if choice == "speed x 2"], ["phi_lin", "phi_e", "phi_sf"])
+        self.assertEqual([reading for choice, reading in ores["ore5"][0] if choice == "10 mm beyond the peak"], ["phi_lin", "phi_e"])
 
     def test_peaks_further_on(self):
         """Of four points, the last rises on by a tenth of 8 kPa + 43.84 kPa tan 30 degrees, and has no peak."""
