@@ -62,6 +62,12 @@ static void say_damage(const char *text)
     fprintf(stderr, "clod: %s\n", text);
 }
 
+/** The results of several runs. */
+static void show_results(const char *text)
+{
+    printf("%s\n", text);
+}
+
 /** Write one page and print its name; the exit status. */
 static int write_page(const char *verb, const clod_report_options *options,
                       bool (*write)(const clod_report_options *, char **, clod_status *))
@@ -132,12 +138,13 @@ int clod_app_compare(int argc, char **argv)
         .args_doc = "RUN...",
         .doc =
             "Write compare.html, or the file that -o names, about the results folders RUN, of "
-            "runs of one kind, not of calibrations: one "
-            "table of their results and of the keys in which their cases differ, curves over "
-            "each other; and each figure beside it as SVG.\v"
+            "runs of one kind, not of calibrations: tables "
+            "of their results and of the keys in which their cases differ, curves over "
+            "each other; and each figure beside it as SVG. Print the results, and the name of "
+            "the page in the last line.\v"
             "docs/howto/report.md has examples.",
     };
-    request self = {.options = {.tell = say_damage}};
+    request self = {.options = {.tell = say_damage, .show = show_results}};
     int result = CLOD_FAILED;
     if (read_request(&self, &argp, argc, argv)) {
         result = write_page(argv[0], &self.options, clod_report_compare);

@@ -7,13 +7,16 @@
 #include <sys/stat.h>
 
 #include "base/memory.h"
-#include "report/compare_head.h"
+#include "base/text.h"
 #include "report/compare_keys.h"
+#include "report/compare_sources.h"
 #include "report/html.h"
+#include "report/plain.h"
 #include "report/report.h"
 #include "report/run_damage.h"
 #include "report/run_kinds.h"
 #include "report/sheet.h"
+#include "report/warnings_section.h"
 
 static bool fail_memory(clod_status *status)
 {
@@ -64,31 +67,63 @@ static void put_head(FILE *out, const clod_run_files *runs, size_t count)
     fputs("</h1></header>\n", out);
 }
 
-static bool put_runs(clod_sheet *sheet, const clod_run_files *runs, size_t count,
-                     const json_t *lab, clod_status *status)
+/** The results as HTML and as text, both owned; NULL: what could not be made. */
+static bool make_results(char **html, char **text, const clod_run_files *runs, size_t count,
+                         const json_t *lab, clod_status *status)
 {
+    clod_text page, plain;
+    FILE *out = clod_text_open(&page);
+    const bool good = out != NULL ? runs[0].kind->results(out, runs, count, lab, status)
+                                  : fail_memory(status);
+    *html = out != NULL ? clod_text_close(&page) : NULL;
+    out = *html != NULL ? clod_text_open(&plain) : NULL;
+    const bool whole = out != NULL && clod_plain_put(out, *html);
+    *text = out != NULL ? clod_text_close(&plain) : NULL;
+    return good && ((whole && *text != NULL) || fail_memory(status));
+}
+
+static bool put_runs(clod_sheet *sheet, const clod_run_files *runs, size_t count,
+                     const json_t *lab, char **text, clod_status *status)
+{
+    char *html;
     put_head(sheet->body, runs, count);
-    if (!clod_compare_head_warnings(sheet->body, runs, count, lab, status)) {
+    if (!clod_warnings_section_put(sheet->body, runs, count, true, lab, status)) {
         return false;
     }
     clod_html_section(sheet->body, "results", "Results");
-    if (!runs[0].kind->results(sheet->body, runs, count, lab, status)) {
-        return false;
+    bool good = make_results(&html, text, runs, count, lab, status);
+    if (good) {
+        fputs(html, sheet->body);
+        clod_html_section(sheet->body, "differences", "What differs between the cases");
+        good = clod_compare_keys_put(sheet->body, runs, count, status);
     }
-    clod_html_section(sheet->body, "differences", "What differs between the cases");
-    if (!clod_compare_keys_put(sheet->body, runs, count, status)) {
+    clod_memory_free(html);
+    if (!good) {
         return false;
     }
     clod_html_section(sheet->body, "figures", "Figures");
-    const bool good = runs[0].kind->figures(sheet, runs, count, lab, status);
-    clod_compare_head_sources(sheet->body, runs, count);
+    good = runs[0].kind->figures(sheet, runs, count, lab, status);
+    clod_compare_sources_put(sheet->body, runs, count);
     return good;
+}
+
+/** What the caller asked to be told, of a page that is written. */
+static void tell(const clod_report_options *options, const clod_run_files *runs,
+                 const char *text)
+{
+    for (size_t k = 0; k < options->run_count; k++) {
+        clod_run_damage_tell(&runs[k], options);
+    }
+    if (options->show != NULL) {
+        options->show(text);
+    }
 }
 
 bool clod_report_compare(const clod_report_options *options, char **path, clod_status *status)
 {
     clod_sheet sheet = {0};
     json_t *lab = NULL;
+    char *text = NULL;
     *path = NULL;
     clod_run_files *runs = clod_memory_alloc(options->run_count, sizeof *runs);
     bool good = runs != NULL || fail_memory(status);
@@ -98,7 +133,7 @@ bool clod_report_compare(const clod_report_options *options, char **path, clod_s
         good = lab != NULL;
     }
     good = good && clod_sheet_open(&sheet, status) &&
-           put_runs(&sheet, runs, options->run_count, lab, status);
+           put_runs(&sheet, runs, options->run_count, lab, &text, status);
     if (good) {
         *path = clod_memory_text(options->output != NULL ? options->output : "compare.html");
         good = *path != NULL ? clod_sheet_write(&sheet, "Comparison of runs", *path, status)
@@ -108,9 +143,10 @@ bool clod_report_compare(const clod_report_options *options, char **path, clod_s
         clod_memory_free(*path);
         *path = NULL;
     }
-    for (size_t k = 0; good && k < options->run_count; k++) {
-        clod_run_damage_tell(&runs[k], options);
+    if (good) {
+        tell(options, runs, text);
     }
+    clod_memory_free(text);
     clod_sheet_fini(&sheet);
     json_decref(lab);
     for (size_t k = 0; runs != NULL && k < options->run_count; k++) {

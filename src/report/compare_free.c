@@ -1,14 +1,18 @@
 #include "report/compare_free.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "base/text.h"
 #include "report/compare_tables.h"
+#include "report/field_axes.h"
+#include "report/free_tables.h"
 #include "report/html.h"
 #include "report/rounded.h"
+#include "report/summary_tables.h"
 
-#define MOST 200 ///< numbers that runs measured; of more the page says how many
+#define MOST 1000 ///< rows
 
 static const clod_result_row ROWS[] = {
     {"time_s", "time", "", "s", 1.0, CLOD_ROUNDED_SHORT, NULL, "-", false},
@@ -21,151 +25,210 @@ static const clod_result_row ROWS[] = {
 
 #define OWN (sizeof ROWS / sizeof *ROWS)
 
-/** What a measure tells of each of its objects. */
-static const struct {
-    const char *of, *key,
-        *error; ///< in the summary; where the error is: NULL: in the number's object
-    const char *text, *unit, *ending; ///< of the row, and of the key that the number has here
-} MEASURES[] = {
-    {"repose", "angle_deg", "error_deg", "angle of repose", "deg", "_deg"},
-    {"mixing", "lacey", NULL, "mixing index (Lacey)", "", ""},
-    {"gauges", "mass_flow_kg_per_s", NULL, "mass flow", "kg/s", "_kg_per_s"},
-    {"gauges", "flow_through_kg_per_s", NULL, "flow through the plane", "kg/s",
-     "_through_kg_per_s"},
-};
-#define MEASURE_COUNT (sizeof MEASURES / sizeof *MEASURES)
+/** A number that runs tell of an object: a row of the comparison. */
+typedef struct number {
+    char *key, *text, *unit; ///< owned: of the flat summaries; the row's, as HTML
+    size_t table;            ///< of CLOD_FREE_TABLES
+    bool whole;              ///< in all runs
+    bool words;              ///< a text
+    bool said;               ///< some run has one that is not zero, or not "no"
+    bool spread;             ///< some run has an error
+} number;
 
-/** Rows, and the texts that those of measures have. */
-typedef struct table {
-    clod_result_row row[OWN + MOST];
-    char *key[MOST], *text[MOST]; ///< owned
-    size_t measured;
-    json_t *left_out; ///< keys of the numbers beyond MOST, each once
-    bool lost;        ///< there was no memory for something
-} table;
+/** The numbers of all runs, in the order of the first run that tells them. */
+typedef struct numbers {
+    number *number; ///< [count] owned
+    size_t count;
+    json_t *at; ///< owned: place of each key
+    bool more;  ///< there are numbers without a place
+    bool lost;  ///< there was no memory for something
+} numbers;
+
+/** What is being made flat. */
+typedef struct flattening {
+    numbers *all;
+    json_t *flat; ///< of this run
+    size_t table;
+} flattening;
 
 static const json_t *summary_of(const json_t *summary, size_t g)
 {
     return g == 0 ? summary : NULL;
 }
 
-/** Owned "repose heap_deg", under which a number stands beside others. */
-static char *key_of(size_t m, const char *name)
+/** Owned text "a b c". */
+static char *join(const char *a, const char *b, const char *c)
 {
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
-    fprintf(out, "%s %s%s", MEASURES[m].of, name, MEASURES[m].ending);
+    fprintf(out, "%s %s %s", a, b, c);
     return clod_text_close(&text);
 }
 
-/** Owned "angle of repose: heap" as HTML. */
-static char *text_of(size_t m, const char *name)
+/** Owned HTML of a row's name, "lip: velocity x". */
+static char *name_row(const clod_summary_cell *cell, const char *name)
 {
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
-    fprintf(out, "%s: ", MEASURES[m].text);
+    clod_html_text(out, cell->of);
+    fputs(": ", out);
     clod_html_text(out, name);
+    fprintf(out, cell->axes[0] != '\0' ? " %s" : "%s", cell->axes);
     return clod_text_close(&text);
 }
 
-/** Add the row of a number if it is new and there is room; takes the key. */
-static void add_row(table *self, size_t m, const char *name, char *key)
+/** Number of the row of a key, a new one if need be; takes the key. `MOST`: there is none. */
+static size_t place_of(numbers *self, char *key, const clod_summary_cell *cell, size_t table)
 {
-    bool known = false;
-    for (size_t k = 0; k < self->measured && !known; k++) {
-        known = strcmp(self->key[k], key) == 0;
-    }
-    if (known || self->measured == MOST) {
-        if (!known && json_object_set_new(self->left_out, key, json_true()) != 0) {
-            self->lost = true;
-        }
+    const json_t *known = json_object_get(self->at, key);
+    if (known != NULL || self->count == MOST) {
+        self->more = self->more || known == NULL;
         clod_memory_free(key);
+        return known != NULL ? (size_t)json_integer_value(known) : MOST;
+    }
+    number *grown =
+        clod_memory_grow(self->number, self->count, self->count + 1, sizeof *self->number);
+    if (grown == NULL) {
+        self->lost = true;
+        clod_memory_free(key);
+        return MOST;
+    }
+    char name[CLOD_FIGURE_NAME], unit[16];
+    clod_summary_tables_name(cell->key, name, unit);
+    self->number = grown;
+    self->number[self->count] = (number){.key = key,
+                                         .text = name_row(cell, name),
+                                         .unit = clod_memory_text(unit),
+                                         .table = table,
+                                         .whole = true,
+                                         .words = cell->words != NULL};
+    const number *one = &self->number[self->count];
+    if (one->text == NULL || one->unit == NULL ||
+        json_object_set_new(self->at, key, json_integer((json_int_t)self->count)) != 0) {
+        self->lost = true;
+    }
+    return self->count++;
+}
+
+/** Put a cell of a run's tables into its flat summary. */
+static void take(void *context, const clod_summary_cell *cell)
+{
+    flattening *self = context;
+    const clod_free_table *table = &CLOD_FREE_TABLES[self->table];
+    char *whose = join(table->title, cell->of, cell->axes);
+    char *key = whose != NULL ? join(whose, cell->key, "") : NULL;
+    clod_memory_free(whose);
+    if (key == NULL) {
+        self->all->lost = true;
         return;
     }
-    const size_t k = self->measured++;
-    self->key[k] = key;
-    self->text[k] = text_of(m, name);
-    self->lost = self->lost || self->text[k] == NULL;
-    self->row[OWN + k] = (clod_result_row){
-        key, self->text[k], "", MEASURES[m].unit, 1.0, CLOD_ROUNDED_SHORT, NULL, "-", false};
-}
-
-/** A number with its error, where it has one (of a gauge blocks differ, which is none); NULL without a number. */
-static json_t *number_of(const json_t *object, size_t m)
-{
-    const json_t *value = json_object_get(object, MEASURES[m].key);
-    const json_t *mean = json_is_object(value) ? json_object_get(value, "mean") : value;
-    const json_t *error =
-        MEASURES[m].error != NULL ? json_object_get(object, MEASURES[m].error) : NULL;
-    if (!json_is_number(mean)) {
-        return NULL;
+    key[strlen(key) - 1] = '\0'; // the blank: a key ends with its unit
+    const size_t k = place_of(self->all, key, cell, self->table);
+    if (k == MOST) {
+        return;
     }
-    return json_is_number(error) ? json_pack("{s:f, s:f}", "value", json_number_value(mean),
-                                             "error", json_number_value(error))
-                                 : json_pack("{s:f}", "value", json_number_value(mean));
+    number *one = &self->all->number[k];
+    json_t *value = cell->words != NULL ? json_string(cell->words)
+                    : cell->error > 0.0
+                        ? json_pack("{s:f, s:f}", "value", cell->value, "error", cell->error)
+                        : json_pack("{s:f}", "value", cell->value);
+    one->whole = one->whole && cell->value == round(cell->value) && fabs(cell->value) < 1e15;
+    const bool nothing =
+        cell->words != NULL ? strcmp(cell->words, "no") == 0 : cell->value == 0.0;
+    one->said = one->said || !nothing;
+    one->spread = one->spread || cell->error > 0.0;
+    if (json_object_set_new(self->flat, one->key, value) != 0) {
+        self->all->lost = true;
+    }
 }
 
-/** A summary with the numbers of its measures beside its own; owned. */
-static json_t *flatten(table *self, const json_t *summary)
+/** A summary with the numbers of its objects beside its own; owned. */
+static json_t *flatten(numbers *all, const clod_run_files *run)
 {
-    json_t *flat = json_copy((json_t *)summary);
-    for (size_t m = 0; flat != NULL && m < MEASURE_COUNT; m++) {
-        const char *name;
-        json_t *object;
-        json_object_foreach(json_object_get(summary, MEASURES[m].of), name, object)
-        {
-            json_t *number = number_of(object, m);
-            char *key = number != NULL ? key_of(m, name) : NULL;
-            if (key != NULL && json_object_set(flat, key, number) == 0) {
-                add_row(self, m, name, key);
-            } else if (number != NULL) {
-                self->lost = true;
-                clod_memory_free(key);
+    flattening self = {.all = all, .flat = json_copy((json_t *)run->summary)};
+    clod_field_axes_set(run);
+    for (; self.flat != NULL && self.table < CLOD_FREE_TABLE_COUNT; self.table++) {
+        json_t *objects = clod_free_tables_of(&CLOD_FREE_TABLES[self.table], run->summary);
+        all->more = !clod_summary_tables_each(objects, &self, take) || all->more;
+        json_decref(objects);
+    }
+    all->lost = all->lost || (run->summary != NULL && self.flat == NULL);
+    return self.flat;
+}
+
+/** The tables: that of every run, and those of objects of which a run tells something. */
+static void lay_out(const numbers *self, clod_compare_table *table, clod_result_row *rows,
+                    clod_compare_tables *all)
+{
+    memcpy(rows, ROWS, sizeof ROWS);
+    table[0] = (clod_compare_table){.rows = OWN};
+    *all = (clod_compare_tables){table, 1, rows, OWN, summary_of};
+    for (size_t t = 0; t < CLOD_FREE_TABLE_COUNT; t++) {
+        const clod_free_table *from = &CLOD_FREE_TABLES[t];
+        clod_compare_table *to = &table[all->count];
+        *to = (clod_compare_table){.title = from->title};
+        for (size_t k = 0; k < self->count; k++) {
+            const number *one = &self->number[k];
+            if (one->table == t && (one->said || from->nothing)) {
+                rows[all->row_count++] =
+                    (clod_result_row){one->key,  one->text, "",
+                                      one->unit, 1.0,       one->whole ? 0 : CLOD_ROUNDED_SHORT,
+                                      NULL,      "-",       one->words};
+                to->rows++;
+                to->note = one->spread ? from->spread : to->note;
             }
-            json_decref(number);
         }
+        all->count += to->rows > 0;
     }
-    self->lost = self->lost || (summary != NULL && flat == NULL);
-    return flat;
+}
+
+static void free_numbers(numbers *self)
+{
+    for (size_t k = 0; k < self->count; k++) {
+        clod_memory_free(self->number[k].key);
+        clod_memory_free(self->number[k].text);
+        clod_memory_free(self->number[k].unit);
+    }
+    clod_memory_free(self->number);
+    json_decref(self->at);
 }
 
 bool clod_compare_free_results(FILE *out, const clod_run_files *runs, size_t count,
                                const json_t *lab, clod_status *status)
 {
     (void)lab;
-    table all = {.left_out = json_object()};
+    numbers all = {.at = json_object()};
     clod_run_files *flat = clod_memory_alloc(count, sizeof *flat);
-    memcpy(all.row, ROWS, sizeof ROWS);
     for (size_t k = 0; flat != NULL && k < count; k++) {
         flat[k] = runs[k];
-        flat[k].summary = flatten(&all, runs[k].summary);
+        flat[k].summary = flatten(&all, &runs[k]);
     }
-    const bool good =
-        flat != NULL && all.left_out != NULL && !all.lost
-            ? clod_compare_tables_put(out, all.row, OWN + all.measured, flat, count, NULL,
-                                      summary_of, status)
-            : clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.");
-    if (good && json_object_size(all.left_out) > 0) {
-        fprintf(
-            out,
-            "<p class=\"note\">%zu more angles of repose, mixing indices and mass flows are in "
-            "the runs' summary.json.</p>\n",
-            json_object_size(all.left_out));
+    clod_result_row *rows = clod_memory_alloc(OWN + all.count, sizeof *rows);
+    clod_compare_table table[1 + CLOD_FREE_TABLE_COUNT];
+    clod_compare_tables tables;
+    bool good = flat != NULL && rows != NULL && all.at != NULL && !all.lost;
+    if (good) {
+        lay_out(&all, table, rows, &tables);
+        good = clod_compare_tables_put(out, &tables, flat, count, NULL, status);
+        fputs(all.more
+                  ? "<p class=\"note\">Not all that the runs measured has a place in these "
+                    "tables: the rest is in their summary.json.</p>\n"
+                  : "",
+              out);
+    } else {
+        clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.");
     }
-    json_decref(all.left_out);
     for (size_t k = 0; flat != NULL && k < count; k++) {
         json_decref(flat[k].summary);
     }
-    for (size_t k = 0; k < all.measured; k++) {
-        clod_memory_free(all.key[k]);
-        clod_memory_free(all.text[k]);
-    }
+    clod_memory_free(rows);
     clod_memory_free(flat);
+    free_numbers(&all);
     return good;
 }

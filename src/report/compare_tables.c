@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "report/compare_seeds.h"
+#include "report/html.h"
 #include "report/shear.h"
 #include "report/shear_points.h"
 #include "report/shear_rows.h"
@@ -43,10 +44,10 @@ static size_t objects_of(const json_t *summary, clod_compare_object get)
 }
 
 /** The means of a group: one for each object, if all its runs have as many. */
-static bool add_means(subjects *self, const clod_result_row *rows, size_t row_count,
-                      const clod_run_files *runs, const clod_compare_seeds *seeds, size_t first,
-                      clod_compare_object get)
+static bool add_means(subjects *self, const clod_compare_tables *tables,
+                      const clod_run_files *runs, const clod_compare_seeds *seeds, size_t first)
 {
+    const clod_compare_object get = tables->get;
     const size_t size = clod_compare_seeds_size(seeds, first);
     const size_t each = size > 1 ? objects_of(runs[first].summary, get) : 0;
     const json_t **members = clod_memory_alloc(size + 1, sizeof *members);
@@ -61,7 +62,8 @@ static bool add_means(subjects *self, const clod_result_row *rows, size_t row_co
         }
         if (found == size) {
             const size_t m = self->mean_count;
-            self->means[m] = clod_compare_seeds_mean(rows, row_count, members, size);
+            self->means[m] =
+                clod_compare_seeds_mean(tables->rows, tables->row_count, members, size);
             clod_compare_seeds_name(seeds, first, self->names[m]);
             good = self->means[m] != NULL;
             self->mean_count++;
@@ -73,10 +75,11 @@ static bool add_means(subjects *self, const clod_result_row *rows, size_t row_co
     return good;
 }
 
-static bool list_subjects(subjects *self, const clod_result_row *rows, size_t row_count,
+static bool list_subjects(subjects *self, const clod_compare_tables *tables,
                           const clod_run_files *runs, const clod_compare_seeds *seeds,
-                          const json_t *lab, clod_compare_object get)
+                          const json_t *lab)
 {
+    const clod_compare_object get = tables->get;
     size_t room = lab != NULL ? objects_of(lab, get) + 1 : 1;
     for (size_t k = 0; k < seeds->count; k++) {
         room += 2 * objects_of(runs[k].summary, get);
@@ -92,7 +95,7 @@ static bool list_subjects(subjects *self, const clod_result_row *rows, size_t ro
         }
     }
     for (size_t k = 0; good && k < seeds->count; k++) {
-        good = add_means(self, rows, row_count, runs, seeds, k, get);
+        good = add_means(self, tables, runs, seeds, k);
     }
     const json_t *one;
     for (size_t g = 0; good && (one = get(lab, g)) != NULL; g++) {
@@ -101,18 +104,35 @@ static bool list_subjects(subjects *self, const clod_result_row *rows, size_t ro
     return good;
 }
 
-bool clod_compare_tables_put(FILE *out, const clod_result_row *rows, size_t row_count,
+static void put_all(FILE *out, const clod_compare_tables *tables, const subjects *all)
+{
+    size_t first = 0;
+    for (size_t k = 0; k < tables->count; k++) {
+        const clod_compare_table *one = &tables->table[k];
+        if (one->title != NULL) {
+            clod_html_cell(out, "h3", one->title);
+            fputs("\n", out);
+        }
+        clod_result_table_put(out, tables->rows + first, one->rows, all->of, all->count);
+        if (one->note != NULL) {
+            fprintf(out, "<p class=\"note\">%s</p>\n", one->note);
+        }
+        first += one->rows;
+    }
+}
+
+bool clod_compare_tables_put(FILE *out, const clod_compare_tables *self,
                              const clod_run_files *runs, size_t count, const json_t *lab,
-                             clod_compare_object get, clod_status *status)
+                             clod_status *status)
 {
     subjects all = {.count = 0};
     clod_compare_seeds seeds;
     bool good = clod_compare_seeds_find(&seeds, runs, count, status);
-    if (good && !list_subjects(&all, rows, row_count, runs, &seeds, lab, get)) {
+    if (good && !list_subjects(&all, self, runs, &seeds, lab)) {
         good = clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.");
     }
     if (good) {
-        clod_result_table_put(out, rows, row_count, all.of, all.count);
+        put_all(out, self, &all);
         if (all.mean_count > 0) {
             clod_compare_seeds_note(out, &seeds, runs);
         }
@@ -139,12 +159,13 @@ typedef struct loci {
 static bool put_loci(FILE *out, const loci *self, const clod_run_files *runs, size_t count,
                      const json_t *lab, clod_status *status)
 {
+    const clod_compare_table whole = {.rows = self->row_count};
+    const clod_compare_tables tables = {&whole, 1, self->rows, self->row_count, self->get};
     json_t *beside = lab != NULL ? json_pack("{s:O}", self->key, lab) : NULL;
     const bool good =
         lab != NULL && beside == NULL
             ? clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.")
-            : clod_compare_tables_put(out, self->rows, self->row_count, runs, count, beside,
-                                      self->get, status);
+            : clod_compare_tables_put(out, &tables, runs, count, beside, status);
     json_decref(beside);
     return good;
 }
@@ -178,7 +199,8 @@ bool clod_compare_tables_wall(FILE *out, const clod_run_files *runs, size_t coun
 bool clod_compare_tables_uniaxial(FILE *out, const clod_run_files *runs, size_t count,
                                   const json_t *lab, clod_status *status)
 {
+    const loci own = {"flow_function", CLOD_UNIAXIAL_ROWS, CLOD_UNIAXIAL_ROW_COUNT,
+                      strength_of};
     (void)lab;
-    return clod_compare_tables_put(out, CLOD_UNIAXIAL_ROWS, CLOD_UNIAXIAL_ROW_COUNT, runs,
-                                   count, NULL, strength_of, status);
+    return put_loci(out, &own, runs, count, NULL, status);
 }

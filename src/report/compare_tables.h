@@ -26,12 +26,29 @@ bool clod_compare_tables_uniaxial(FILE *out, const clod_run_files *runs, size_t 
 /** Object number g of a run's summary; NULL behind the last. */
 typedef const json_t *(*clod_compare_object)(const json_t *summary, size_t g);
 
+/** A table of a comparison: the next `rows` of all. */
+typedef struct clod_compare_table {
+    const char *title; ///< NULL: none
+    const char *note;  ///< below it, HTML; NULL: none
+    size_t rows;
+} clod_compare_table;
+
+/** The tables of objects, and their rows. */
+typedef struct clod_compare_tables {
+    const clod_compare_table *table; ///< [count]
+    size_t count;
+    const clod_result_row
+        *rows; ///< [row_count]: those of the tables, one table after the other
+    size_t row_count;
+    clod_compare_object get;
+} clod_compare_tables;
+
 /**
- * The table of objects of all runs, with the means of those that differ in their seeds alone.
+ * The tables of objects of all runs, with the means of those that differ in their seeds alone.
  *
  * @param lab  a summary with the laboratory's objects; NULL: none
  * Errors  CLOD_FAILED: no memory.
  */
-bool clod_compare_tables_put(FILE *out, const clod_result_row *rows, size_t row_count,
+bool clod_compare_tables_put(FILE *out, const clod_compare_tables *self,
                              const clod_run_files *runs, size_t count, const json_t *lab,
-                             clod_compare_object get, clod_status *status);
+                             clod_status *status);

@@ -6,36 +6,22 @@
 #include "base/memory.h"
 #include "report/field_axes.h"
 #include "report/field_slices.h"
+#include "report/free_tables.h"
 #include "report/html.h"
 #include "report/series_figures.h"
 #include "report/summary_tables.h"
 #include "report/table.h"
 
-/** The tables of a page: parts of the summary in this order. */
+/** The tables of a page. */
 static void put_tables(FILE *out, const json_t *summary)
 {
-    json_t *balance = json_object_get(summary, "balance");
-    json_t *clumps = json_object_get(summary, "clumps");
-    json_t *left = json_pack("{s:O}", "what left", json_object_get(summary, "residence"));
     clod_html_section(out, "tables", "Tables");
-    clod_summary_tables_put(out, "Gauges", json_object_get(summary, "gauges"));
-    clod_summary_tables_put(out, "Fields", json_object_get(summary, "fields"));
-    clod_summary_tables_put(out, "Mixing", json_object_get(summary, "mixing"));
-    clod_summary_tables_put(out, "Angle of repose", json_object_get(summary, "repose"));
-    clod_summary_tables_put(out, "Balance", balance);
-    clod_summary_tables_put(out, "Out, of the balance", json_object_get(balance, "out"));
-    clod_summary_tables_put(out, "Residence time", left);
-    clod_summary_tables_put(out, "Inlets", json_object_get(summary, "inlets"));
-    clod_summary_tables_put(out, "Outlets", json_object_get(summary, "outlets"));
-    clod_summary_tables_put(out, "Left at the sides of the domain",
-                            json_object_get(summary, "left"));
-    clod_summary_tables_put(out, "Surfaces", json_object_get(summary, "surfaces"));
-    clod_summary_tables_put(out, "Belts", json_object_get(summary, "belts"));
-    clod_summary_tables_put(out, "Walls at the end", json_object_get(summary, "walls"));
-    clod_summary_tables_put(out, "Clumps", clumps);
-    clod_summary_tables_put(out, "Resting material", json_object_get(summary, "build_up"));
-    clod_summary_tables_put(out, "Stages", json_object_get(summary, "stages"));
-    json_decref(left);
+    for (size_t k = 0; k < CLOD_FREE_TABLE_COUNT; k++) {
+        const clod_free_table *table = &CLOD_FREE_TABLES[k];
+        json_t *objects = clod_free_tables_of(table, summary);
+        clod_summary_tables_put(out, table->title, table->spread, objects);
+        json_decref(objects);
+    }
 }
 
 /** The numbers of a column by its name, owned; NULL when there is none, or no memory. */

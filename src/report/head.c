@@ -7,6 +7,7 @@
 #include "report/html.h"
 #include "report/run_kinds.h"
 #include "report/shear.h"
+#include "report/shear_rows.h"
 
 void clod_head_put(FILE *out, const clod_run_files *run)
 {
@@ -23,7 +24,8 @@ void clod_head_put(FILE *out, const clod_run_files *run)
     fputs("</p></header>\n", out);
 }
 
-static size_t put_list(FILE *out, const json_t *list)
+/** List items, each behind the same words; how many. */
+static size_t put_list(FILE *out, const char *before, const json_t *list)
 {
     size_t k;
     const json_t *text;
@@ -31,23 +33,32 @@ static size_t put_list(FILE *out, const json_t *list)
     {
         const char *words = json_string_value(text);
         if (out != NULL) {
-            clod_html_cell(out, "li", words != NULL ? words : "");
+            fputs("<li>", out);
+            clod_html_text(out, before);
+            clod_html_text(out, words != NULL ? words : "");
+            fputs("</li>", out);
         }
     }
     return json_array_size(list);
 }
 
-/** Warnings of an evaluation. @param out  NULL: only count them */
-static size_t put_study(FILE *out, const json_t *study)
+/** Warnings of an evaluation. @param out  NULL: only count them @param named  each with the preshear stress of its locus */
+static size_t put_study(FILE *out, const json_t *study, bool named)
 {
     size_t count = 0;
     size_t g;
     const json_t *locus;
     json_array_foreach(json_object_get(study, "loci"), g, locus)
     {
-        count += put_list(out, json_object_get(locus, "warnings"));
+        const double stress = clod_shear_number(locus, "sigma_p_Pa");
+        char before[96] = "";
+        if (named && isfinite(stress)) {
+            snprintf(before, sizeof before,
+                     "Yield locus at a preshear stress of %.3f kPa: ", 1e-3 * stress);
+        }
+        count += put_list(out, before, json_object_get(locus, "warnings"));
     }
-    return count + put_list(out, json_object_get(study, "warnings"));
+    return count + put_list(out, "", json_object_get(study, "warnings"));
 }
 
 size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab)
@@ -61,38 +72,24 @@ size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab)
         clod_html_cell(out, "li", incomplete);
     }
     return (size_t)(run->report == NULL) + (size_t)(incomplete != NULL) +
-           put_list(out, run->damage) + put_study(out, json_object_get(run->summary, "locus")) +
-           put_list(out, json_object_get(run->summary, "warnings")) +
+           put_list(out, "", run->damage) +
+           put_study(out, json_object_get(run->summary, "locus"), false) +
+           put_list(out, "", json_object_get(run->summary, "warnings")) +
            clod_free_warnings_put(out, run->summary) + clod_shear_lab_warnings(out, run, lab);
 }
 
 size_t clod_head_lab_count(const json_t *lab)
 {
-    return put_study(NULL, lab);
+    return put_study(NULL, lab, true);
 }
 
 void clod_head_lab_put(FILE *out, const json_t *lab)
 {
     if (clod_head_lab_count(lab) > 0) {
         fputs("<h3>Laboratory points</h3><ul>", out);
-        put_study(out, lab);
+        put_study(out, lab, true);
         fputs("</ul>", out);
     }
-}
-
-void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
-{
-    const size_t own = clod_head_items(NULL, run, lab);
-    if (own + clod_head_lab_count(lab) == 0) {
-        // free runs have no checks that could warn, but for their streams
-        fputs(run->kind->checked ? "<p class=\"good\">No warnings.</p>\n" : "", out);
-        return;
-    }
-    fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>", out);
-    clod_head_items(out, run, lab);
-    fputs("</ul>", out);
-    clod_head_lab_put(out, lab);
-    fputs("</section>\n", out);
 }
 
 bool clod_head_number(const json_t *summary, const char *key, double ends[2])

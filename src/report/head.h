@@ -12,9 +12,6 @@
 /** Title, kind, when. */
 void clod_head_put(FILE *out, const clod_run_files *run);
 
-/** All warnings of a run and of the laboratory's points (NULL: none). */
-void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab);
-
 /**
  * The warnings of a run, one list item each; how many. @param out  NULL: only count them
  * @param lab  the laboratory's results (NULL: none): whether they are of another preshear stress
@@ -24,7 +21,7 @@ size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab);
 /** How many the evaluation of the laboratory's points has. @param lab  NULL: none */
 size_t clod_head_lab_count(const json_t *lab);
 
-/** These in a list under a heading of its own; without any, nothing. */
+/** These in a list under a heading of its own, each with the preshear stress of its locus; without any, nothing. */
 void clod_head_lab_put(FILE *out, const json_t *lab);
 
 /**

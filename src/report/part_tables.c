@@ -56,7 +56,7 @@ static void put_kind(FILE *out, const json_t *parts, const char *kind, const cha
                       out);
                 *any = true;
             }
-            clod_summary_tables_put(out, heading, list);
+            clod_summary_tables_put(out, heading, NULL, list);
             json_decref(list);
         }
     }

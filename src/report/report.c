@@ -14,6 +14,7 @@
 #include "report/run_kinds.h"
 #include "report/scripts.h"
 #include "report/sheet.h"
+#include "report/warnings_section.h"
 
 static bool fail_memory(clod_status *status)
 {
@@ -28,9 +29,9 @@ static bool put_run(clod_sheet *sheet, clod_run_files *run, const json_t *lab,
         return false;
     }
     clod_head_put(sheet->body, run);
-    clod_head_warnings(sheet->body, run, lab);
+    bool good = clod_warnings_section_put(sheet->body, run, 1, false, lab, status);
     clod_cards_put(sheet->body, run);
-    const bool good = run->kind->put(sheet, run, lab, status);
+    good = good && run->kind->put(sheet, run, lab, status);
     clod_grain_view_put(sheet, &view);
     clod_grain_view_fini(&view);
     clod_head_sources(sheet->body, run);

@@ -25,6 +25,18 @@ static double error_of(const json_t *from, const clod_result_row *row)
     return isnan(own) && row->error != NULL ? clod_result_table_number(from, row->error) : own;
 }
 
+/** How far the simulation is off a measured number, where that is told. */
+static void put_off(FILE *out, const json_t *object)
+{
+    const double off = 100.0 * clod_result_table_number(object, "off");
+    const double error = 100.0 * clod_result_table_number(object, "off_error");
+    if (isfinite(off)) {
+        fprintf(out, " <small class=\"off\">(simulation %s", off > 0.0 ? "+" : "");
+        clod_rounded_put(out, off, error, (double)NAN, 1, "%");
+        fputs(")</small>", out);
+    }
+}
+
 void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
                              const clod_result_row *row, bool all)
 {
@@ -41,11 +53,7 @@ void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
     clod_summary_tables_name(row->key, name, unit);
     clod_rounded_begin(out, tag, value, error, unit);
     if (!isfinite(value)) {
-        const char *instead = json_string_value(json_object_get(object, "instead"));
-        fputs(instead != NULL        ? instead
-              : row->missing != NULL ? row->missing
-                                     : "undefined",
-              out);
+        fputs(row->missing != NULL ? row->missing : "undefined", out);
         return;
     }
     clod_rounded_put(out, row->factor * value, row->factor * error, row->factor * scatter,
@@ -55,6 +63,7 @@ void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
     if (known < all_of) {
         fprintf(out, " <small>(n %.0f)</small>", known);
     }
+    put_off(out, object);
 }
 
 static void put_cell(FILE *out, const clod_result_of *of, const clod_result_row *row)
@@ -103,7 +112,7 @@ static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count
         symbols = symbols || rows[k].symbol[0] != '\0';
     }
     fprintf(out,
-            "<div class=\"scroll\"><table class=\"results%s\" id=\"results-table\"><thead><tr>"
+            "<div class=\"scroll\"><table class=\"results%s\"><thead><tr>"
             "<th>quantity</th>%s",
             symbols ? " symbols" : "", symbols ? "<th></th>" : "");
     for (size_t s = 0; s < count; s++) {
@@ -131,7 +140,7 @@ static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count
 static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
                      const clod_result_of *of, size_t count)
 {
-    fputs("<div class=\"scroll\"><table class=\"copied tight\" id=\"results-table\"><thead><tr>"
+    fputs("<div class=\"scroll\"><table class=\"copied tight\"><thead><tr>"
           "<th>run</th>",
           out);
     for (size_t k = 0; k < row_count; k++) {
@@ -162,9 +171,13 @@ static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
 void clod_result_table_put(FILE *out, const clod_result_row *rows, size_t row_count,
                            const clod_result_of *of, size_t count)
 {
-    if (count > CLOD_RESULT_COLUMNS) {
+    if (count > CLOD_RESULT_COLUMNS && row_count <= CLOD_RESULT_NUMBERS) {
         put_rows(out, rows, row_count, of, count);
-    } else {
-        put_columns(out, rows, row_count, of, count);
+        return;
+    }
+    for (size_t s = 0; s < count; s += CLOD_RESULT_COLUMNS) {
+        const size_t left = count - s;
+        put_columns(out, rows, row_count, &of[s],
+                    left < CLOD_RESULT_COLUMNS ? left : CLOD_RESULT_COLUMNS);
     }
 }

@@ -10,7 +10,9 @@
 
 /** A quantity. */
 typedef struct clod_result_row {
-    const char *key;     ///< of the JSON: a number, or an object with value, error and scatter
+    const char *
+        key; ///< of the JSON: a number, or an object with value, error and scatter; of a measured one also with
+             ///< `off` and `off_error`, the share by which the simulation is off
     const char *text;    ///< HTML
     const char *symbol;  ///< HTML; "": none
     const char *unit;    ///< HTML
@@ -30,6 +32,8 @@ typedef struct clod_result_of {
 } clod_result_of;
 
 #define CLOD_RESULT_COLUMNS 7 ///< as many of them stand in columns; more stand in rows
+#define CLOD_RESULT_NUMBERS                                                                    \
+    16 ///< as many quantities stand side by side; of more, and of many whose, there are several tables
 
 /** A number, or the `value` of an object with one; NaN where there is none. */
 double clod_result_table_number(const json_t *object, const char *key);

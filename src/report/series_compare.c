@@ -22,7 +22,7 @@ static const char *const FREE[] = {"kinetic_energy", "max_speed",  "grains", "ma
 static void set_axis(clod_figure_axis *axis, const char *name, const char *unit)
 {
     char words[CLOD_FIGURE_NAME];
-    clod_series_groups_words(name, words);
+    clod_series_groups_words(clod_series_groups_quantity(name), words);
     if (strcmp(unit, "Pa") == 0) {
         clod_figure_axis_set(axis, words, "kPa", 1e-3);
     } else if (strcmp(name, "displacement") == 0 || strcmp(name, "height") == 0) {
@@ -156,9 +156,8 @@ bool clod_series_compare_strengths(clod_sheet *sheet, const clod_run_files *runs
 
 static bool is_compared(const char *name)
 {
-    const char *dot = strrchr(name, '.');
     for (size_t k = 0; k < sizeof FREE / sizeof *FREE; k++) {
-        if (strcmp(dot != NULL ? dot + 1 : name, FREE[k]) == 0) {
+        if (strcmp(clod_series_groups_quantity(name), FREE[k]) == 0) {
             return true;
         }
     }
@@ -186,8 +185,9 @@ static void put_column(clod_sheet *sheet, const clod_run_files *runs, const clod
                        size_t count, const char *name)
 {
     clod_figure figure;
-    char title[CLOD_FIGURE_NAME];
-    clod_series_groups_words(name, title);
+    char whose[CLOD_FIGURE_NAME], title[CLOD_SERIES_GROUPS_TITLE];
+    clod_series_groups_object(name, whose);
+    clod_series_groups_title(clod_series_groups_quantity(name), whose, title);
     clod_figure_init(&figure, name, title);
     for (size_t k = 0; k < count; k++) {
         add_table(&figure, &tables[k], "time", name, runs[k].name, k);

@@ -12,7 +12,6 @@ static const char *const MAIN[] = {"kinetic_energy", "max_speed",  "grains",  "m
                                    "mass_flow",      "speed",      "power",   "force_z",
                                    "resting_mass",   "mass_share", "largest", "impact_power",
                                    "density",        "pressure",   "lacey",   "repose_angle"};
-#define TITLE (2 * CLOD_FIGURE_NAME + 2) ///< a quantity, and whose it is
 #define MAIN_COUNT (sizeof MAIN / sizeof MAIN[0])
 
 /** The x axis of figures, and its numbers from row `first` on. */
@@ -74,27 +73,15 @@ static void name_figure(const clod_series_groups *groups, size_t g, char name[16
     snprintf(name, 160, "%s%s%s", group->quantity, taken ? "-" : "", taken ? group->unit : "");
 }
 
-/** Title of a group's figure: "Mass flow: gauges". */
-static void name_title(const clod_series_group *group, const clod_table *series,
-                       char title[TITLE])
-{
-    char words[CLOD_FIGURE_NAME], whose[CLOD_FIGURE_NAME];
-    clod_series_groups_words(group->quantity, words);
-    clod_series_groups_whose(group, series, whose);
-    if (words[0] >= 'a' && words[0] <= 'z') {
-        words[0] = (char)(words[0] - 'a' + 'A');
-    }
-    snprintf(title, TITLE, "%s%s%s", words, whose[0] != '\0' ? ": " : "", whose);
-}
-
 /** One figure with the columns of a group. */
 static void put_group(clod_sheet *sheet, const clod_table *series, const over *along,
                       const clod_series_groups *groups, size_t g)
 {
     const clod_series_group *group = &groups->group[g];
-    char name[160], title[TITLE], words[CLOD_FIGURE_NAME];
+    char name[160], title[CLOD_SERIES_GROUPS_TITLE], words[CLOD_FIGURE_NAME];
     name_figure(groups, g, name);
-    name_title(group, series, title);
+    clod_series_groups_whose(group, series, words);
+    clod_series_groups_title(group->quantity, words, title);
     clod_figure figure;
     clod_figure_init(&figure, name, title);
     figure.x = along->axis;

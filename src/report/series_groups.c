@@ -6,8 +6,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-/** What a column measures: the name behind the last point. */
-static const char *quantity_of(const char *name)
+const char *clod_series_groups_quantity(const char *name)
 {
     const char *dot = strrchr(name, '.');
     return dot != NULL ? dot + 1 : name;
@@ -37,7 +36,7 @@ static bool is_left_out(const clod_table *series, size_t column)
 
 static bool is_of(const clod_series_group *group, const clod_table *series, size_t column)
 {
-    return strcmp(group->quantity, quantity_of(series->names[column])) == 0 &&
+    return strcmp(group->quantity, clod_series_groups_quantity(series->names[column])) == 0 &&
            strcmp(group->unit, series->units[column]) == 0;
 }
 
@@ -49,8 +48,9 @@ static size_t find_group(clod_series_groups *self, const clod_table *series, siz
         g++;
     }
     if (g == self->count) {
-        self->group[self->count++] = (clod_series_group){
-            .quantity = quantity_of(series->names[column]), .unit = series->units[column]};
+        self->group[self->count++] =
+            (clod_series_group){.quantity = clod_series_groups_quantity(series->names[column]),
+                                .unit = series->units[column]};
     }
     return g;
 }
@@ -106,6 +106,18 @@ void clod_series_groups_object(const char *name, char words[CLOD_FIGURE_NAME])
 {
     const char *dot = strrchr(name, '.');
     copy_words(name, dot != NULL ? (size_t)(dot - name) : 0, words);
+}
+
+void clod_series_groups_title(const char *quantity, const char *whose,
+                              char title[CLOD_SERIES_GROUPS_TITLE])
+{
+    char words[CLOD_FIGURE_NAME];
+    clod_series_groups_words(quantity, words);
+    if (words[0] >= 'a' && words[0] <= 'z') {
+        words[0] = (char)(words[0] - 'a' + 'A');
+    }
+    snprintf(title, CLOD_SERIES_GROUPS_TITLE, "%s%s%s", words, whose[0] != '\0' ? ": " : "",
+             whose);
 }
 
 /** The kind of object whose columns begin like this one, NULL: none that is known. */

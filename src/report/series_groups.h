@@ -11,6 +11,8 @@
 #include "report/figure.h"
 #include "report/table.h"
 
+#define CLOD_SERIES_GROUPS_TITLE (2 * CLOD_FIGURE_NAME + 2) ///< a quantity, and whose it is
+
 typedef struct clod_series_group {
     const char *quantity, *unit; ///< borrowed from the table
     int *column;                 ///< [count] borrowed
@@ -36,6 +38,13 @@ void clod_series_groups_fini(clod_series_groups *self);
 
 /** Whose a column is, in words: "gauge head" of gauge_head.mass_flow; "" of kinetic_energy. */
 void clod_series_groups_object(const char *name, char words[CLOD_FIGURE_NAME]);
+
+/** What a column measures: "mass_flow" of gauge_head.mass_flow. Borrowed. */
+const char *clod_series_groups_quantity(const char *name);
+
+/** What a column measures and whose it is, as a title: "Mass flow: gauge head".   Test  tests/report/test_table.c */
+void clod_series_groups_title(const char *quantity, const char *whose,
+                              char title[CLOD_SERIES_GROUPS_TITLE]);
 
 /** A name with blanks for underscores. */
 void clod_series_groups_words(const char *name, char words[CLOD_FIGURE_NAME]);

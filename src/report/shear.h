@@ -26,8 +26,9 @@ typedef struct clod_shear_loci {
 json_t *clod_shear_lab(const char *path, clod_status *status);
 
 /**
- * The laboratory's loci for a table beside runs: where a run tells its bulk density away from the walls of its cell, that of
- * the laboratory, whose cell is many grains wide, stands beside it and not beside that of the whole cell.
+ * The laboratory's loci for a table beside runs. Where a run tells its bulk density away from the walls of its cell and the
+ * laboratory has one density only, that stands beside both of the run: the table cannot know how many grains the laboratory's
+ * cell is wide. Of one run its densities say how far that is off.
  *
  * @return  new reference, or NULL: no memory
  * Test  tests/report/test_page.py

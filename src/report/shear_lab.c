@@ -101,21 +101,52 @@ static bool one_tells_inside(const clod_run_files *runs, size_t count)
     return found;
 }
 
+/** Tell how far the density of a run is off that of a laboratory, which is a JSON object of its own. */
+static void set_off(json_t *locus, const json_t *own, const char *key)
+{
+    json_t *measured = json_object_get(locus, key);
+    const double value = clod_shear_number(locus, key), theirs = clod_shear_number(own, key);
+    const double ratio = theirs / value;
+    const double error = clod_shear_number(measured, "error");
+    const double their_error = clod_shear_number(json_object_get(own, key), "error");
+    if (isfinite(ratio)) {
+        json_object_set_new(measured, "off", json_real(ratio - 1.0));
+    }
+    if (isfinite(ratio * error) && isfinite(their_error)) {
+        json_object_set_new(measured, "off_error",
+                            json_real(hypot(their_error, ratio * error) / value));
+    }
+}
+
+/** The locus of a study at a preshear stress; NULL: it has none there. */
+static const json_t *locus_at(const json_t *study, double stress)
+{
+    const json_t *locus;
+    for (size_t g = 0; (locus = clod_shear_locus(study, g)) != NULL; g++) {
+        if (fabs(clod_shear_number(locus, "sigma_p_Pa") / stress - 1.0) <= SAME) {
+            return locus;
+        }
+    }
+    return NULL;
+}
+
 json_t *clod_shear_lab_beside(const json_t *lab, const clod_run_files *runs, size_t count)
 {
+    const bool inside = one_tells_inside(runs, count);
     json_t *self = json_deep_copy(lab);
     json_t *locus;
     size_t g;
-    if (self == NULL || !one_tells_inside(runs, count)) {
-        return self;
-    }
     json_array_foreach(json_object_get(self, "loci"), g, locus)
     {
-        const bool inside = isfinite(clod_shear_number(locus, "rho_inside_kg_m3"));
-        if (!inside && isfinite(clod_shear_number(locus, "rho_b_kg_m3"))) {
-            json_object_set(locus, "rho_inside_kg_m3", json_object_get(locus, "rho_b_kg_m3"));
-            json_object_set_new(locus, "rho_b_kg_m3", json_pack("{s:s}", "instead", "-"));
+        const json_t *own = count == 1 ? locus_at(json_object_get(runs->summary, "locus"),
+                                                  clod_shear_number(locus, "sigma_p_Pa"))
+                                       : NULL;
+        if (inside && !isfinite(clod_shear_number(locus, "rho_inside_kg_m3"))) {
+            json_t *copy = json_deep_copy(json_object_get(locus, "rho_b_kg_m3"));
+            json_object_set_new(locus, "rho_inside_kg_m3", copy);
         }
+        set_off(locus, own, "rho_b_kg_m3");
+        set_off(locus, own, "rho_inside_kg_m3");
     }
     return self;
 }
@@ -126,15 +157,28 @@ void clod_shear_lab_density(FILE *out, const json_t *lab, const clod_run_files *
     if (lab == NULL || !tells(lab, "rho_b_kg_m3")) {
         return;
     }
-    fputs(
-        one_tells_inside(runs, count)
-            ? "<p class=\"note\">The laboratory's bulk density stands beside "
-              "&rho;<sub>inside</sub>, that away from the walls of the simulated cell: "
-              "&rho;<sub>b</sub> is of the whole cell, and grains at its walls are packed more "
-              "loosely, which matters in a cell of few grains.</p>\n"
-            : "<p class=\"note\">&rho;<sub>b</sub> of the simulation is of the whole cell, and "
-              "grains at its walls are packed more loosely: do not compare it with the "
-              "laboratory's. The cell has too few grains across to tell "
-              "&rho;<sub>inside</sub>, the density away from them.</p>\n",
-        out);
+    fputs("<p class=\"note\">", out);
+    if (!one_tells_inside(runs, count)) {
+        fputs(
+            "&rho;<sub>b</sub> of the simulation is of its whole cell, and grains at walls are "
+            "packed more loosely: compare it with the laboratory's only if that is of a cell "
+            "with as few grains across. The simulated cell has too few to tell "
+            "&rho;<sub>inside</sub>, the density away from its walls.",
+            out);
+    } else if (tells(lab, "rho_inside_kg_m3")) {
+        fputs(
+            "The laboratory's table has both densities: each stands beside the simulation's of "
+            "the same name.",
+            out);
+    } else {
+        fputs(
+            "The laboratory's bulk density stands beside both of the simulation, of which one "
+            "is to be compared with it. <strong>If its grains are far smaller than its "
+            "cell</strong>, as those of a powder, that is &rho;<sub>inside</sub>: "
+            "&rho;<sub>b</sub> is of the whole simulated cell, and grains at walls are packed "
+            "more loosely. <strong>If its cell has as few grains across as the simulated "
+            "one</strong>, it is &rho;<sub>b</sub>.",
+            out);
+    }
+    fputs("</p>\n", out);
 }

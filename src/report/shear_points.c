@@ -160,15 +160,30 @@ double clod_shear_points_error(const json_t *point)
            clod_shear_number(point, "prorated_Pa") / measured;
 }
 
+/** Which of a laboratory's: preshear stress, and specimen where there are several. */
+static void put_specimen(FILE *out, const json_t *locus, const json_t *point)
+{
+    const double stress = clod_shear_number(locus, "sigma_p_Pa");
+    const double seed = clod_shear_number(point, "seed");
+    if (isfinite(stress)) {
+        fprintf(out, ", %.4g kPa", 1e-3 * stress);
+    }
+    if (clod_shear_number(locus, "seed_count") > 1.0 && isfinite(seed)) {
+        fprintf(out, ", specimen %.0f", seed);
+    }
+}
+
 static void put_point(FILE *out, const json_t *locus, const json_t *point, const json_t *part,
-                      const char *of)
+                      const clod_shear_loci *set)
 {
     const char *name = json_string_value(json_object_get(part, "part"));
     fputs("<tr><th>", out);
-    clod_html_text(out, of);
+    clod_html_text(out, set->of);
     if (name != NULL) {
         fputs(", ", out);
         clod_html_text(out, name);
+    } else if (set->lab) {
+        put_specimen(out, locus, point);
     }
     fputs("</th>", out);
     put_stress(out, locus, "sigma_p_Pa", (double)NAN);
@@ -196,7 +211,7 @@ void clod_shear_points_put(FILE *out, const json_t *summary, const clod_shear_lo
             json_array_foreach(json_object_get(locus, "points"), k, point)
             {
                 put_point(out, locus, point, sets[s].lab ? NULL : part_of(summary, point),
-                          sets[s].of);
+                          &sets[s]);
             }
         }
     }

@@ -266,45 +266,69 @@ static bool has_component(const json_t *item, const quantity *which)
     return which->at < count && is_same(&own, which);
 }
 
-/** A component of a vector or tensor; nothing where the object has none, or no number. */
-static void put_component(FILE *out, const json_t *item, const quantity *which,
-                          const char *unit)
+static double number_of(const json_t *value)
 {
-    const json_t *value = json_object_get(item, which->key);
-    const json_t *mean = json_array_get(json_object_get(value, "mean"), which->at);
-    const json_t *deviation = json_array_get(json_object_get(value, "deviation"), which->at);
-    if (has_component(item, which) && json_is_number(mean)) {
-        put_number(out, json_number_value(mean), json_number_value(deviation), unit);
-    } else {
-        fputs("<td></td>", out);
-    }
+    return json_is_number(value) ? json_number_value(value) : (double)NAN;
 }
 
-static void put_cell(FILE *out, const json_t *item, const quantity *which)
+/** A number and its error, or words, that an object has of a quantity; vectors are none. */
+static clod_summary_cell cell_of(const layout *self, size_t i, const quantity *which)
 {
-    const char *key = which->key;
-    const json_t *value = json_object_get(item, key);
-    char name[CLOD_FIGURE_NAME], unit[16];
-    clod_summary_tables_name(key, name, unit);
+    const json_t *item = self->item[i];
+    const json_t *value = json_object_get(item, which->key);
+    const json_t *mean = json_object_get(value, "mean");
+    const json_t *deviation = json_object_get(value, "deviation");
+    clod_summary_cell cell = {self->head[i], which->key,  which->axes,
+                              (double)NAN,   (double)NAN, NULL};
     if (which->axes[0] != '\0') {
-        put_component(out, item, which, unit);
+        const bool has = has_component(item, which);
+        cell.value = number_of(has ? json_array_get(mean, which->at) : NULL);
+        cell.error = number_of(has ? json_array_get(deviation, which->at) : NULL);
     } else if (is_spread(value)) {
-        put_number(out, json_number_value(json_object_get(value, "mean")),
-                   json_number_value(json_object_get(value, "deviation")), unit);
-    } else if (is_vector(value)) {
+        cell.value = number_of(mean);
+        cell.error = number_of(deviation);
+    } else if (json_is_boolean(value)) {
+        cell.words = json_is_true(value) ? "yes" : "no";
+    } else if (json_is_string(value)) {
+        cell.words = json_string_value(value);
+    } else {
+        cell.value = number_of(value);
+        cell.error = number_of(error_of(item, which->key));
+    }
+    return cell;
+}
+
+static void put_cell(FILE *out, const layout *self, size_t i, const quantity *which)
+{
+    const json_t *value = json_object_get(self->item[i], which->key);
+    const clod_summary_cell cell = cell_of(self, i, which);
+    char name[CLOD_FIGURE_NAME], unit[16];
+    clod_summary_tables_name(which->key, name, unit);
+    if (which->axes[0] == '\0' && is_vector(value)) {
         fputs("<td>", out);
         for (size_t axis = 0; axis < 3; axis++) {
             fprintf(out, "%s%.4g", axis > 0 ? ", " : "(",
                     json_number_value(json_array_get(value, axis)));
         }
         fputs(")</td>", out);
-    } else if (json_is_number(value)) {
-        put_number(out, json_number_value(value), json_number_value(error_of(item, key)), unit);
-    } else if (json_is_boolean(value)) {
-        clod_html_cell(out, "td", json_is_true(value) ? "yes" : "no");
+    } else if (isfinite(cell.value)) {
+        put_number(out, cell.value, cell.error, unit);
     } else {
-        clod_html_cell(out, "td", json_is_string(value) ? json_string_value(value) : "");
+        clod_html_cell(out, "td", cell.words != NULL ? cell.words : "");
     }
+}
+
+/** Whether any cell has an error. */
+static bool has_errors(const layout *self)
+{
+    for (size_t i = 0; i < self->items; i++) {
+        for (size_t k = 0; k < self->keys; k++) {
+            if (cell_of(self, i, &self->key[k]).error > 0.0) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 /** Name, axes and unit, as a head: "contact stress xy [Pa]". */
@@ -331,7 +355,7 @@ static void put_columns(FILE *out, const layout *self)
         fputs("<tr>", out);
         put_key(out, &self->key[k]);
         for (size_t i = 0; i < self->items; i++) {
-            put_cell(out, self->item[i], &self->key[k]);
+            put_cell(out, self, i, &self->key[k]);
         }
         fputs("</tr>\n", out);
     }
@@ -348,13 +372,13 @@ static void put_rows(FILE *out, const layout *self)
         fputs("<tr>", out);
         clod_html_cell(out, "th", self->head[i]);
         for (size_t k = 0; k < self->keys; k++) {
-            put_cell(out, self->item[i], &self->key[k]);
+            put_cell(out, self, i, &self->key[k]);
         }
         fputs("</tr>\n", out);
     }
 }
 
-void clod_summary_tables_put(FILE *out, const char *title, json_t *from)
+void clod_summary_tables_put(FILE *out, const char *title, const char *note, json_t *from)
 {
     layout self = {.items = 0};
     lay_out(&self, from);
@@ -367,10 +391,44 @@ void clod_summary_tables_put(FILE *out, const char *title, json_t *from)
     fputs("<div class=\"scroll\"><table class=\"copied\"><thead><tr><th></th>", out);
     (self.items > WIDE && self.items > self.keys ? put_rows : put_columns)(out, &self);
     fputs("</tbody></table></div>\n", out);
+    if (note != NULL && has_errors(&self)) {
+        fprintf(out, "<p class=\"note\">%s</p>\n", note);
+    }
     if (self.more_items > 0 || self.more_keys > 0) {
         fprintf(out,
                 "<p class=\"note\">%zu more of them, and %zu more numbers of these, are in "
                 "summary.json.</p>\n",
                 self.more_items, self.more_keys);
     }
+}
+
+/** The three components of a vector. */
+static void take_vector(const json_t *value, clod_summary_cell cell, void *context,
+                        void (*take)(void *, const clod_summary_cell *))
+{
+    static const char *const AXES[] = {"x", "y", "z"};
+    for (size_t axis = 0; axis < 3; axis++) {
+        cell.axes = AXES[axis];
+        cell.value = number_of(json_array_get(value, axis));
+        take(context, &cell);
+    }
+}
+
+bool clod_summary_tables_each(json_t *from, void *context,
+                              void (*take)(void *context, const clod_summary_cell *cell))
+{
+    layout self = {.items = 0};
+    lay_out(&self, from);
+    for (size_t i = 0; i < self.items; i++) {
+        for (size_t k = 0; k < self.keys; k++) {
+            const json_t *value = json_object_get(self.item[i], self.key[k].key);
+            const clod_summary_cell cell = cell_of(&self, i, &self.key[k]);
+            if (self.key[k].axes[0] == '\0' && is_vector(value)) {
+                take_vector(value, cell, context, take);
+            } else if (isfinite(cell.value) || cell.words != NULL) {
+                take(context, &cell);
+            }
+        }
+    }
+    return self.more_items + self.more_keys == 0;
 }

@@ -272,7 +272,7 @@ static void balance_report(FILE *out, const void *memory, const clod_free_moment
         fprintf(out, "         kg/s, %.4g to %.4g s", self->edge[0].time,
                 self->edge[blocks].time);
         if (blocks > 1) {
-            fprintf(out, ", +- of %d blocks", blocks);
+            fprintf(out, ", +- standard deviation of %d blocks", blocks);
         }
     }
     fprintf(out, "\n");

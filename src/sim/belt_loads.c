@@ -261,7 +261,7 @@ static void belts_report(FILE *out, const void *memory, const clod_free_moment *
             char text[2][32];
             fprintf(
                 out,
-                "  belt %-16s power %.4g%s W, pull of the load %.4g%s N, +- of ten blocks\n",
+                "  belt %-16s power %.4g%s W, pull of the load %.4g%s N, +- standard deviation of ten blocks\n",
                 now->from->walls[wall_of(now->from, k)].name, power[0],
                 clod_prose_deviation(text[0], power[0], power[1]), pull[0],
                 clod_prose_deviation(text[1], pull[0], pull[1]));

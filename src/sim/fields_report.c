@@ -71,8 +71,9 @@ static void report_mean(FILE *out, const char *name, const means *self)
     }
     const int pressure = CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_PRESSURE].first;
     char text[32];
-    fprintf(out, "pressure %.4g%s Pa\n", mean[pressure],
-            clod_prose_deviation(text, mean[pressure], self->deviation[pressure]));
+    const char *spread = clod_prose_deviation(text, mean[pressure], self->deviation[pressure]);
+    fprintf(out, "pressure %.4g%s Pa%s\n", mean[pressure], spread,
+            spread[0] != '\0' ? " (+- standard deviation of ten blocks)" : "");
 }
 
 /** Numbers of one value, an array where it has several. */

@@ -52,8 +52,9 @@ void clod_mixing_mean_write(FILE *out, const clod_mixing_mean *self, double scal
         fputs("none in the steady time", out);
     } else {
         char text[32];
-        fprintf(out, "%.4g%s%s in the steady time", mean * scale,
-                clod_prose_deviation(text, mean * scale, deviation * scale), unit);
+        const char *spread = clod_prose_deviation(text, mean * scale, deviation * scale);
+        fprintf(out, "%.4g%s%s in the steady time%s", mean * scale, spread, unit,
+                spread[0] != '\0' ? " (+- standard deviation of ten blocks)" : "");
     }
 }
 

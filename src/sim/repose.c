@@ -93,8 +93,10 @@ static void repose_report(FILE *out, const void *memory, const clod_free_moment 
                     of->strips);
         } else {
             char text[32];
-            fprintf(out, "%.4g%s deg at the end, ", of->angle * DEGREE,
-                    clod_prose_deviation(text, of->angle * DEGREE, of->error * DEGREE));
+            const char *error =
+                clod_prose_deviation(text, of->angle * DEGREE, of->error * DEGREE);
+            fprintf(out, "%.4g%s deg at the end%s, ", of->angle * DEGREE, error,
+                    error[0] != '\0' ? " (+- standard error of the line)" : "");
         }
         clod_mixing_mean_write(out, &self[k].mean, DEGREE, " deg");
         if (!isnan(of->height)) {

@@ -143,6 +143,7 @@ class Gauges(clod.Case):
         self.assertLess(abs(left - 0.5), 0.05)  # half of the width, to its left
         self.assertIn("spilled low", done.stdout)
         self.assertIn("lost ", done.stdout)
+        self.assertIn("s, +- standard deviation of 10 blocks\n", done.stdout)
 
     def check_tables(self, gauge):
         path = clod.table(self.path("out/gauge_fall-trajectory.csv"))
@@ -181,6 +182,7 @@ class Gauges(clod.Case):
             self.assertAlmostEqual(gauge["landing"][key], value, delta=1e-12)
         self.assertNotIn("landing", summary["gauges"]["end"])  # it has no belt
         self.assertIn("+- is the standard deviation of those of 10 blocks", done.stdout)
+        self.assertIn(" N, +- standard deviation of ten blocks\n", done.stdout)
         gained = 0.5 * q * (v * v - v0 * v0 - down * down)
         heat = 0.5 * q * ((v - v0)**2 + down * down) + q * G * height
         # a grain is not seen in the millisecond in which it comes: 1 ms of 0.5 s

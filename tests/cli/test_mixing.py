@@ -161,7 +161,8 @@ class Mixing(clod.Case):
         self.assertLess(abs(heap["angle_deg"] - 30.0), 0.5)
         self.assertLess(abs(heap["height_m"] - 0.040), 2e-3)
         self.assertAlmostEqual(heap["mean_deg"], heap["angle_deg"], delta=1e-9)
-        self.assertIn("angle of repose", self.done.stdout)
+        self.assertRegex(self.done.stdout, r"angle of repose [\d.]+ \+- \S+ deg at the end \(\+- standard error of the line\), "
+                                           r"[\d.]+ \+- \S+ deg in the steady time \(\+- standard deviation of ten blocks\)")
 
     def test_words_where_there_is_no_value(self):
         """Why there is none; never nan, whose sign depends on the machine."""

@@ -38,6 +38,13 @@ BOXES = """
   }));
 """
 HEIGHT = {1280: 2600, 390: 1300}
+# texts of cards that are wider than their place, how many cards there are, and how many of them stand beside others
+CARDS = """
+  const wide = place => place.scrollWidth > place.clientWidth;
+  const cards = [...document.querySelectorAll(".card")];
+  return {count: cards.length, wide: cards.filter(card => wide(card) || wide(card.querySelector("b"))).map(card => card.textContent),
+    across: cards.length - new Set(cards.map(card => card.getBoundingClientRect().top)).size};
+"""
 
 
 class Browser(BrowserCase):
@@ -179,6 +186,36 @@ class Browser(BrowserCase):
                 self.assertEqual(json.loads(seen["hidden"]), [], f"{name} at {width}")
                 if width == 1280:
                     self.assertEqual(seen["stacked"], "0", name)
+
+    def test_cards_are_whole(self):
+        """No number, and no name, is wider than its card, on desks and phones: long ones wrap."""
+        value = lambda number, error: {"value": number, "error": error, "scatter": None}
+        long = {"phi_e_deg": value(123.4567, 10.123), "phi_lin_deg": value(23.8217, 0.8213), "c_Pa": value(273.4e3, 31.25), "sigma_c_Pa": value(-1234567.8, 125.0),
+                "ffc": value(1234.567, 0.123), "rho_inside_kg_m3": value(12345.678, 1.25)}
+        shutil.copytree(os.path.join(self.shared, "ring"), self.path("ring"))
+        summary = pages.load_json(self.path("ring/summary.json"))
+        summary["locus"]["loci"][0].update(long)
+        pages.write(self.path("ring"), summary__json=summary)
+        found, name = 0, "a_gauge_at_the_lip_of_the_chute_" * 3
+        gauges = {name: {"mass_flow_kg_per_s": {"mean": -12345.678901, "deviation": 1.25}, "flow_through_kg_per_s": {"mean": 1.2345e-7, "deviation": 1.25e-12}}}
+        pages.free_run(self.path("free"), gauges=gauges, kinetic_energy_J=-1.2345e-100, grains=123456789012)
+        clod.run("report", *map(self.path, ("ring", "free")))
+        for page in [self.path("ring/report.html"), self.path("free/report.html"), *(os.path.join(self.shared, name) for name in self.names)]:
+            text = clod.read(page).decode()
+            style, cards = re.search(r"<style>.*?</style>", text, re.S), re.search(r'<div class="cards">.*?</div>\n</div>', text, re.S)
+            if cards is None:
+                continue
+            with open(self.path("cards.html"), "w") as file:  # no figures that take their time
+                file.write(f"<!DOCTYPE html><meta charset=\"utf-8\">{style[0]}<main>{cards[0]}</main><script>document.documentElement.dataset.errors = 1</script>")
+            for width in (360, 768, 1024, 1280, 1440):
+                self.browser.open(self.path("cards.html"), width, 900)
+                tried = self.browser.value("(() => {%s})()" % CARDS)
+                self.assertEqual(tried["wide"], [], f"{page} at {width}")
+                found += 1
+                if page.startswith(self.folder):
+                    self.assertGreater(tried["count"], 4)
+                    self.assertGreater(tried["across"], 1)  # they still stand side by side
+        self.assertGreaterEqual(found, 35)
 
     def assert_places(self, dom):
         """The strength, and both ends of the stress, stand where the labels of the axes say.

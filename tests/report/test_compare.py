@@ -165,20 +165,82 @@ class Compare(pages.PageCase):
         self.assertEqual(self.compare("f1", "f2").row("coordination")[-1], "5.50 ± 0.50 (s 0.71)")
 
     def test_what_free_runs_measured(self):
-        """Angles of repose, mixing indices and mass flows, with their means: 28 and 30 deg, 0.8 and 0.9; one run has no drum."""
+        """Each number of any run has a row: with the ± of its run, and a mean: angles of 28 to 32 deg, indices of 0.8 and 0.9; one run has no drum."""
         for seed, (angle, lacey) in enumerate(((28.0, 0.8), (30.0, 0.9), (32.0, None)), 1):
             pages.free_run(self.path(f"f{seed}"))
             gauges = {"head <b>": {"mass_flow_kg_per_s": {"mean": 0.8 + 0.01 * seed, "deviation": 0.02},
-                                   "flow_through_kg_per_s": {"mean": 0.9 + 0.01 * seed, "deviation": 0.03}}}
+                                   "flow_through_kg_per_s": {"mean": 0.9 + 0.01 * seed, "deviation": 0.034}}}
             mixing = {} if lacey is None else {"drum": {"by": "number", "lacey": lacey}}
             self.seeded(f"f{seed}", seed, {**pages.FREE, "repose": {"heap": {"angle_deg": angle, "error_deg": 0.9}}, "mixing": mixing, "gauges": gauges})
         page = self.compare("f1", "f2", "f3")
         # deviations 2, 0.1/sqrt(2) and 0.01, errors 2/sqrt(3), 0.05 and 0.01/sqrt(3)
-        self.assertEqual(page.row("angle of repose: heap [deg]")[1:], ["28.00 ± 0.90", "30.00 ± 0.90", "32.00 ± 0.90", "30.0 ± 1.2 (s 2.0)"])
-        self.assertEqual(page.row("mixing index (Lacey): drum")[1:], ["0.8", "0.9", "-", "0.850 ± 0.050 (s 0.071) (n 2)"])
-        self.assertEqual(page.row("mass flow: head <b> [kg/s]")[1:], ["0.81", "0.82", "0.83", "0.8200 ± 0.0058 (s 0.0100)"])
-        self.assertEqual(page.row("flow through the plane: head <b> [kg/s]")[1:], ["0.91", "0.92", "0.93", "0.9200 ± 0.0058 (s 0.0100)"])
+        self.assertEqual(page.row("heap: angle [deg]")[1:], ["28.00 ± 0.90", "30.00 ± 0.90", "32.00 ± 0.90", "30.0 ± 1.2 (s 2.0)"])
+        self.assertEqual(page.row("drum: lacey")[1:], ["0.8", "0.9", "-", "0.850 ± 0.050 (s 0.071) (n 2)"])
+        self.assertEqual(page.row("drum: by")[1:], ["number", "number", "-", "-"])
+        self.assertEqual(page.row("head <b>: mass flow [kg/s]")[1:], ["0.810 ± 0.020", "0.820 ± 0.020", "0.830 ± 0.020", "0.8200 ± 0.0058 (s 0.0100)"])
+        self.assertEqual(page.row("head <b>: flow through [kg/s]")[1:], ["0.910 ± 0.034", "0.920 ± 0.034", "0.930 ± 0.034", "0.9200 ± 0.0058 (s 0.0100)"])
         self.assertIn('<td title="28 &plusmn; 0.9 deg">', page.text)
+
+    # two runs of a chute: what one has stuck to it; a gauge of the other with alarms
+    CHUTE = {"balance": {"since_s": 1.0, "start": {"grains": 0, "mass_kg": 0.0},
+                         "in": {"grains": 166083, "mass_kg": 1.11, "flow_kg_per_s": {"mean": 0.555, "deviation": 0.0055}},
+                         "out": {"left_x_max": {"grains": 0, "mass_kg": 0.0, "spillage": False},
+                                 "left_z_min": {"grains": 5, "mass_kg": 0.8, "flow_kg_per_s": {"mean": 0.4557, "deviation": 0.26}, "spillage": False}},
+                         "spillage": {"grains": 0, "mass_kg": 0.0}, "inside": {"grains": 9, "mass_kg": 0.25}, "lost": {"grains": 0, "mass_kg": 0.0}},
+             "gauges": {"lip": {"alarms": 2, "blocked_at_end": True, "speed_m_per_s": {"mean": 1.5873, "deviation": 0.0112}}},
+             "build_up": {"chute.floor": {"mass_kg": 0.0, "rate_kg_per_s": 0.0}},
+             "residence": {"grains": 12, "mean_s": 1.3156, "deviation_s": 0.2514, "classes": []},
+             "belts": {"feed": {"power_W": {"mean": 36.04, "deviation": 1.25}}},
+             "fields": {"bed": {"velocity_m_per_s": {"mean": [0.5, 0.0, -2.0], "deviation": [0.25, 0.0, 0.5]}}},
+             "walls": [{"name": "chute", "force_N": [0.25, 0.0, -8.72]}], "outlets": {}, "left": {}}
+
+    def test_what_decides_about_a_chute(self):
+        """Balance, gauges, resting mass and its rate, residence, belts, fields, alarms, as the page of one run has them."""
+        pages.free_run(self.path("steel"), **self.CHUTE)
+        rusty = {**self.CHUTE, "build_up": {"chute.floor": {"mass_kg": 0.1126, "rate_kg_per_s": 0.08555}},
+                 "gauges": {"lip": {"alarms": 0, "blocked_at_end": False, "speed_m_per_s": {"mean": 0.3881, "deviation": 0.079}}}}
+        pages.free_run(self.path("rust"), density="2600", **rusty)
+        done = self.made("compare", "steel", "rust")
+        page = self.page("compare.html")
+        wanted = {"in: grains": ["166083", "166083"], "in: flow [kg/s]": ["0.5550 ± 0.0055"] * 2, "inside: mass [kg]": ["0.25"] * 2,
+                  "spillage: grains": ["0", "0"], "lost: mass [kg]": ["0", "0"],
+                  "left z min: flow [kg/s]": ["0.46 ± 0.26"] * 2, "lip: alarms": ["2", "0"], "lip: blocked at end": ["yes", "no"],
+                  "lip: speed [m/s]": ["1.587 ± 0.011", "0.388 ± 0.079"], "chute.floor: mass [kg]": ["0", "0.1126"],
+                  "chute.floor: rate [kg/s]": ["0", "0.08555"], "what left: mean [s]": ["1.32 ± 0.25"] * 2, "feed: power [W]": ["36.0 ± 1.2"] * 2,
+                  "bed: velocity x [m/s]": ["0.50 ± 0.25"] * 2, "bed: velocity z [m/s]": ["-2.00 ± 0.50"] * 2, "chute: force z [N]": ["-8.72"] * 2}
+        for name, cells in wanted.items():
+            self.assertEqual(page.row(name)[1:], cells, name)
+        told = [row[0] for table in page.tables for row in table]
+        for name in ("left x max: grains", "left x max: spillage", "left z min: spillage", "bed: velocity y [m/s]", "chute: force y [N]"):
+            self.assertNotIn(name, told)  # nothing in any run
+        self.assertEqual([told.count(name) for name in wanted], [1] * len(wanted))
+        words = " ".join(page.words)
+        for note in ("± standard deviation of the means of ten blocks", "± standard deviation of the times of the grains that left"):
+            self.assertIn(note, words)
+            self.assertIn(note, done.stdout)
+        # the terminal has the same rows
+        shown = [re.split("  +", line.strip()) for line in done.stdout.split("\n")]
+        for name, cells in wanted.items():
+            self.assertIn([name, *cells], shown)
+        self.assertEqual(done.stdout.split("\n")[-2:], ["compare.html", ""])
+
+    def test_curves_of_free_runs_have_names_in_words(self):
+        for name, density in (("one", "2500"), ("two", "2600")):
+            pages.free_run(self.path(name), density=density)
+            pages.write(self.path(name), series__csv="time [s],max_speed [m/s],left_x_max.grains [1],chute.floor.resting_mass [kg]\n0,1,0,0\n1,2,3,4\n")
+        figures = self.compare("one", "two").figures.values()
+        self.assertEqual([(figure["title"], figure["y"]["text"]) for figure in figures],
+                         [("Max speed", "max speed"), ("Grains: left x max", "grains"), ("Resting mass: chute.floor", "resting mass")])
+
+    def test_many_free_runs(self):
+        """Of more than seven there are several tables of many quantities, each with seven runs at most."""
+        gauge = {f"number_{k}": 0.5 + k for k in range(20)}
+        for k in range(9):
+            pages.free_run(self.path(f"run{k}"), density=str(2500 + k), gauges={"lip": gauge})
+        page = self.compare(*(f"run{k}" for k in range(9)))
+        heads = [table[0] for table in page.tables if any(row[0] == "lip: number 19" for row in table)]
+        self.assertEqual(heads, [["quantity", *(f"run{k}" for k in range(7))], ["quantity", "run7", "run8"]])
+        self.assertEqual(page.tables[0][0][:3], ["run", "time [s]", "grains"])
 
     def seeded(self, name, seed, summary):
         case = clod.read(self.path(f"{name}/case-complete.yaml")).decode()
@@ -225,27 +287,21 @@ class Compare(pages.PageCase):
         self.assertIn("No warnings.", "".join(self.compare("one", "two").words))
 
     def test_more_measures_than_the_table_has(self):
-        """Gauges 0 to 199 are 200 rows; 100 to 259 of another run are 60 more, each of them once."""
+        """A table has 64 objects of each run: of 70 gauges those are named, and the page says that there are more."""
         gauge = pages.FREE["gauges"]["head"]
-        make = lambda name, first, last: pages.free_run(
-            self.path(name), outlets=None, gauges={f"g{k}": gauge for k in range(first, last)})
-        make("one", 0, 200)
-        make("two", 100, 200)
-        make("three", 100, 260)
-        make("four", 200, 260)
-        for names, left_out in ((("one", "two"), None), (("one", "two", "three", "four"), "60")):
+        for name, first, last in (("one", 0, 64), ("two", 10, 64), ("three", 0, 70)):
+            pages.free_run(self.path(name), outlets=None, gauges={f"g{k}": gauge for k in range(first, last)}, density=str(2500 + last + first))
+        for names, more in ((("one", "two"), False), (("one", "three"), True)):
             page = self.compare(*names)
-            rows = [row for row in self.column(page, "one") if row.startswith("mass flow: ")]
-            self.assertEqual(rows, [f"mass flow: g{k} [kg/s]" for k in range(200)])
-            told = re.findall(r"(\d+) more angles of repose, mixing indices and mass flows are in the runs' summary\.json",
-                              "".join(page.words))
-            self.assertEqual(told, [left_out] if left_out else [])
+            rows = [row[0] for table in page.tables for row in table if "mass flow" in row[0]]
+            self.assertEqual(rows, [f"g{k}: mass flow [kg/s]" for k in range(64)])
+            self.assertEqual("Not all that the runs measured has a place" in "".join(page.words), more)
 
     def test_compare(self):
         pages.free_run(self.path("one"))
         pages.free_run(self.path("two"), density="2600", grains=7)
         pages.free_run(self.path("three"), grains=8)
-        self.assertEqual(self.made("compare", "one", "two", "three").stdout, "compare.html\n")
+        self.made("compare", "one", "two", "three")
         page = self.page("compare.html")
         self.assertEqual(page.tables[0][0], ["quantity", "one", "two", "three"])
         self.assertEqual(page.row("grains")[1:], ["120", "7", "8"])

@@ -25,6 +25,7 @@ class FreePage(pages.PageCase):
         self.assertIn('<td title="0.8343702206 &plusmn; 0.0204139 kg/s">', page.text)
         self.assertEqual(page.row("grains")[1], "166083")
         self.assertEqual(page.row("mean [s]")[1:], ["1.644"])
+        self.assertIn("± standard deviation of the means of ten blocks of time; the error of the mean is this over √10", " ".join(page.words))
         self.assertNotIn("x min", [row[1] for table in page.tables for row in table if len(row) > 1])
         self.assertEqual(page.items, ["Gauge head gave alarm of blocking 2 times, and is blocked at the end."])
         # names from the case are text, never markup
@@ -127,9 +128,21 @@ class FreePage(pages.PageCase):
         self.assertNotIn("kinetic energy", [caption for *_, caption in plain])
         self.assertEqual(page.row("angle [deg]")[1], "28.16 ± 0.91")
         self.assertEqual(page.row("mean [deg]")[1], "28.16")  # its deviation is below what is told
+        notes = [html.unescape(note) for note in re.findall(r'</table></div>\n<p class="note">([^<]*)</p>', page.text)]
+        blocks = "± standard deviation of the means of ten blocks of time; the error of the mean is this over √10 if the blocks are independent."
+        self.assertEqual(notes, [blocks, f"mean {blocks}", f"angle ± standard error of the line through the flank at the end; mean {blocks}"])
         pages.free_run(self.path("bed"), gauges={}, outlets=None)
         self.made("report", "bed")
         self.assertIn("<span>kinetic energy</span>", self.page("bed/report.html").text)
+
+    def test_what_residence_times_scatter_by(self):
+        """Their ± is of grains, and no error; a run without a spread needs no note."""
+        for spread, notes in ((0.25, 1), (0.0, 0)):
+            pages.free_run(self.path("run"), gauges={}, residence={"grains": 12, "mean_s": 1.3156, "deviation_s": spread, "classes": []})
+            self.made("report", "run")
+            page = self.page("run/report.html")
+            self.assertEqual(page.text.count("&plusmn; standard deviation of the times of the grains that left"), notes)
+            self.assertNotIn("ten blocks", page.text)
 
     def test_more_outlets_than_a_table_holds(self):
         one = pages.FREE["outlets"]["delivered"]

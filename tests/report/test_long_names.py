@@ -60,13 +60,13 @@ class LongNames(clod.Case):
         self.compared(wanted)
 
     def compared(self, wanted):
-        """Runs side by side: a figure for each force, its whole name above it and the end of it at the axis."""
+        """Runs side by side: a figure for each force, its whole name above it."""
         shutil.copytree(self.path("run"), self.path("again"))
         done = clod.run("compare", "run", "again", "-o", "both.html", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         page = pages.Page(strict(self.path("both.html")))
         titles = {figure["title"] for figure in page.figures.values()}
-        self.assertTrue({f"{name}.force z" for name in wanted} <= titles, titles)
+        self.assertTrue({f"Force z: {name}" for name in wanted} <= titles, titles)
         for path in glob.glob(self.path("both-*.svg")):
             self.assertIn("</svg>", strict(path))
 

@@ -1,7 +1,9 @@
 """Pages of shear tests: what was read from the curves and how well it is known, lines of the yield locus, a laboratory's density."""
 
+import html
 import math
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -33,38 +35,97 @@ class Shear(pages.PageCase):
                     **{f"point_HYPHEN_{k}__csv": pages.SLIP for k in (1, 2)},
                     **{"case_HYPHEN_complete__yaml": pages.COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"})
 
-    def lab(self):
+    def lab_page(self, table, **changes):
+        """The page of a run with a laboratory's table, and what it says."""
         with open(self.path("lab.csv"), "w") as file:
-            file.write(LAB)
+            file.write(table)
+        self.ring("ring", **changes)
+        self.made("report", "ring", "--lab", "lab.csv")
+        page = self.page("ring/report.html")
+        return page, " ".join(" ".join(page.words).split())
+
+    def densities(self, page):
+        return [page.row(f"bulk density{more} [kg/m³]")[2:] for more in ("", " away from walls")]
 
     def test_density_of_a_laboratory(self):
-        """It is compared with that away from the cell's walls, which is the card too; where the run has none, the page says so."""
-        self.lab()
-        for inside, row in ((1380.7, ["1380.7", "1410.0"]), (None, None)):
-            self.ring("ring", rho_inside_kg_m3=pages.value(inside, None))
-            self.made("report", "ring", "--lab", "lab.csv")
-            page = self.page("ring/report.html")
-            captions = [caption for *_, caption in pages.cards(page.text)]
-            self.assertEqual(any("away from walls" in caption for caption in captions), inside is not None)
-            self.assertEqual(page.row("bulk density [kg/m³]")[2:], ["1206.4", "-" if inside else "1410.0"])
-            told = " ".join(" ".join(page.words).split())
-            if inside:
-                self.assertEqual(page.row("bulk density away from walls [kg/m³]")[2:], row)
-                self.assertIn("The laboratory's bulk density stands beside ρ inside", told)
-            else:
-                self.assertIn("do not compare it with the laboratory's", told)
-            self.made("report", "ring")
-            self.assertNotIn("laboratory's", " ".join(self.page("ring/report.html").words))
+        """It stands beside both of the run, with how far each is off: 1206.4/1410 - 1 = -14.4 %, 1380.7/1410 - 1 = -2.1 %."""
+        page, told = self.lab_page(LAB)
+        self.assertEqual(self.densities(page), [["1206.4", "1410.0 (simulation -14.4 %)"], ["1380.7", "1410.0 (simulation -2.1 %)"]])
+        self.assertTrue(any("away from walls" in caption for *_, caption in pages.cards(page.text)))
+        self.assertIn("The laboratory's bulk density stands beside both of the simulation", told)
+        self.assertIn("If its grains are far smaller than its cell , as those of a powder, that is ρ inside", told)
+        self.made("report", "ring")
+        self.assertNotIn("laboratory's", " ".join(self.page("ring/report.html").words))
+
+    def test_errors_of_densities(self):
+        """Specimens of 1400 and 1420 have a mean of 1410 with an error of 10; the run 12: sqrt(12^2 + (0.856 10)^2)/1410 = 1.0 %."""
+        rows = [f"{seed},12,7,{sigma},{tau},{density}\n" for seed, density in ((1, 1400), (2, 1420)) for sigma, tau in ((3, 2.8), (5, 4.1), (8, 5.8))]
+        page, _ = self.lab_page("seed,sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n" + "".join(rows),
+                                rho_b_kg_m3=pages.value(1206.4, 12.0), rho_inside_kg_m3=pages.value(None, None))
+        self.assertEqual(page.row("bulk density [kg/m³]")[2:], ["1206 ± 12", "1410 ± 10 (s 14) (simulation -14.4 ± 1.0 %)"])
+
+    def test_a_run_without_a_density_inside(self):
+        """Its cell is too narrow: the page says when the densities can be compared."""
+        page, told = self.lab_page(LAB, rho_inside_kg_m3=pages.value(None, None))
+        self.assertEqual(page.row("bulk density [kg/m³]")[2:], ["1206.4", "1410.0 (simulation -14.4 %)"])
+        self.assertFalse(any("away from walls" in caption for *_, caption in pages.cards(page.text)))
+        self.assertIn("compare it with the laboratory's only if that is of a cell with as few grains across", told)
+        self.assertNotIn("beside both", told)
+
+    def test_a_table_with_both_densities(self):
+        """Each is compared with that of its name."""
+        both = LAB.replace("rho_b [kg/m3]", "rho_b [kg/m3],rho_inside [kg/m3]").replace(",1410", ",1230,1395")
+        page, told = self.lab_page(both)
+        self.assertEqual(self.densities(page), [["1206.4", "1230.0 (simulation -1.9 %)"], ["1380.7", "1395.0 (simulation -1.0 %)"]])
+        self.assertIn("each stands beside the simulation's of the same name", told)
+
+    def test_density_at_another_preshear_stress(self):
+        """At 6 kPa the run has no density to be off."""
+        page, _ = self.lab_page(LAB.replace("\n12,7,", "\n6,4,"))
+        self.assertEqual(self.densities(page), [["1206.4", "1410.0"], ["1380.7", "1410.0"]])
 
     def test_density_of_a_laboratory_beside_runs(self):
-        self.lab()
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(LAB)
         self.ring("one")
         self.ring("two", rho_inside_kg_m3=pages.value(1390.5, None))
         self.made("compare", "one", "two", "--lab", "lab.csv")
         page = self.page("compare.html")
-        self.assertEqual(page.row("bulk density away from walls [kg/m³]")[2:], ["1380.7", "1390.5", "1410.0"])
-        self.assertEqual(page.row("bulk density [kg/m³]")[2:], ["1206.4", "1206.4", "-"])
-        self.assertIn("The laboratory's bulk density stands beside", " ".join(page.words))
+        self.assertEqual(self.densities(page), [["1206.4", "1206.4", "1410.0"], ["1380.7", "1390.5", "1410.0"]])
+        self.assertIn("The laboratory's bulk density stands beside both", " ".join(page.words))
+
+    def test_which_points_are_the_laboratorys(self):
+        """Rows and warnings have their preshear stress, and of several specimens the specimen."""
+        rows = "".join(f"{seed},{pre},{0.6 * pre},{share * pre},{tau * pre},{0.003 * pre}\n" for pre in (4, 8) for seed in (101, 102)
+                       for share, tau in ((0.3, 0.25), (0.5, 0.45), (0.7, 0.46)))
+        page, _ = self.lab_page("seed,sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],tau_sh_error [kPa]\n" + rows)
+        names = [row[0] for row in page.tables[1] if row[0].startswith("laboratory")]
+        self.assertEqual(names, [f"laboratory, {pre} kPa, specimen {seed}" for pre in (4, 8) for seed in (101, 102) for _ in range(3)])
+        warnings = [item for item in page.items if "kPa: " in item]
+        for pre in ("4.000", "8.000"):  # the three points are on no line
+            self.assertTrue(any(item.startswith(f"Yield locus at a preshear stress of {pre} kPa: Seed 101: ") for item in warnings), page.items)
+        page, _ = self.lab_page(LAB)
+        self.assertEqual([row[0] for row in page.tables[1]][-1], "laboratory, 12 kPa")
+
+    def test_warnings_that_differ_by_the_part(self):
+        """They are one, with the names of the parts, in the order in which they come; those about other things are not."""
+        slow = "inertial number 0.0034: not quasi-static"
+        self.ring("ring")
+        summary = pages.load_json(self.path("ring/summary.json"))
+        summary["warnings"] = [f"preshear: {slow}", "point-2: no peak", f"point-1: {slow}", f"point-2: {slow.replace('34', '35')}", "Gauge 1 is blocked.",
+                               "Gauge 2 is blocked."]
+        pages.write(self.path("ring"), summary__json=summary)
+        self.made("report", "ring")
+        page = self.page("ring/report.html")
+        told = [html.unescape(re.sub(r"<[^>]*>", "", item)) for item in
+                re.findall(r"<li>(.*?)</li>\n", page.text[page.text.index('id="warnings"'):page.text.index("</section>")])]
+        self.assertEqual(told, [
+            f"preshear, point-1, point-2: {slow} (as preshear has it)the numbers of eachpreshear: {slow}point-1: {slow}point-2: {slow.replace('34', '35')}",
+            "point-2: no peak", "Gauge 1 is blocked.", "Gauge 2 is blocked."])
+        summary["warnings"] = [f"preshear: {slow}", f"point-1: {slow}"]
+        pages.write(self.path("ring"), summary__json=summary)
+        self.made("report", "ring")
+        self.assertEqual(self.page("ring/report.html").items, [f"preshear, point-1: {slow}"])
 
     def test_how_a_point_was_read(self):
         """Marks on the curves at the displacement and stress of the summary; errors and what had no peak in the table."""

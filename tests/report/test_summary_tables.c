@@ -12,7 +12,9 @@
 #include "base/text.h"
 #include "report/summary_tables.h"
 
-/** The table of objects given as JSON. */
+#define NOTE "&plusmn; what it is"
+
+/** The table of objects given as JSON, with a note about what is behind +-. */
 static char *table_of(const char *objects)
 {
     json_t *from = json_loads(objects, 0, NULL);
@@ -20,7 +22,7 @@ static char *table_of(const char *objects)
     FILE *out = clod_text_open(&text);
     assert_non_null(from);
     assert_non_null(out);
-    clod_summary_tables_put(out, NULL, from);
+    clod_summary_tables_put(out, NULL, NOTE, from);
     json_decref(from);
     return clod_text_close(&text);
 }
@@ -85,12 +87,67 @@ static void other_lists_are_left_out(void **state)
     clod_memory_free(text);
 }
 
+/** A table says what is behind +- where it has one. */
+static void a_note_stands_below_errors(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *objects;
+        bool noted;
+    } CASES[] = {
+        {"{\"lip\": {\"mass_flow_kg_per_s\": {\"mean\": 2, \"deviation\": 0.1}}}", true},
+        {"{\"heap\": {\"angle_deg\": 28, \"error_deg\": 0.9}}", true},
+        {"{\"bed\": {\"v_m_per_s\": {\"mean\": [1, 2, 3], \"deviation\": [0, 0, 1]}}}", true},
+        {"{\"lip\": {\"mass_flow_kg_per_s\": {\"mean\": 2, \"deviation\": 0}}}", false},
+        {"{\"lip\": {\"grains\": 3}}", false}};
+    for (size_t k = 0; k < sizeof CASES / sizeof *CASES; k++) {
+        char *text = table_of(CASES[k].objects);
+        assert_int_equal(strstr(text, "<p class=\"note\">" NOTE "</p>") != NULL,
+                         CASES[k].noted);
+        clod_memory_free(text);
+    }
+}
+
+static void add_line(void *context, const clod_summary_cell *cell)
+{
+    fprintf(context, "%s %s%s", cell->of, cell->key, cell->axes);
+    if (cell->words != NULL) {
+        fprintf(context, " %s\n", cell->words);
+    } else {
+        fprintf(context, cell->error > 0.0 ? " %g %g\n" : " %g\n", cell->value, cell->error);
+    }
+}
+
+/** By hand: numbers with what is behind +-, texts, components of vectors and of means of vectors, and none of what is missing. */
+static void every_cell_is_told(void **state)
+{
+    (void)state;
+    json_t *from = json_loads(
+        "{\"a_b\": {\"flow_kg_per_s\": {\"mean\": 2, \"deviation\": 0.5}, \"blocked\": false, \"by\": "
+        "\"number\", \"none\": null, \"force_N\": [1, 2, 3], \"v\": {\"mean\": [4, 5, null], "
+        "\"deviation\": [1, null, null]}}, \"c\": {\"mean_s\": 3, \"deviation_s\": 0.25}}",
+        0, NULL);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    assert_non_null(from);
+    assert_non_null(out);
+    assert_true(clod_summary_tables_each(from, out, add_line));
+    char *told = clod_text_close(&text);
+    assert_string_equal(told, "a b flow_kg_per_s 2 0.5\na b blocked no\na b by number\n"
+                              "a b force_Nx 1\na b force_Ny 2\na b force_Nz 3\n"
+                              "a b vx 4 1\na b vy 5\nc mean_s 3 0.25\n");
+    clod_memory_free(told);
+    json_decref(from);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(components_are_rows),
         cmocka_unit_test(objects_along_other_axes_have_rows_of_their_own),
         cmocka_unit_test(other_lists_are_left_out),
+        cmocka_unit_test(a_note_stands_below_errors),
+        cmocka_unit_test(every_cell_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

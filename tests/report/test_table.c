@@ -83,6 +83,12 @@ static void columns_of_one_quantity_make_a_group(void **state)
     assert_string_equal(groups.group[2].unit, "kW");
     clod_series_groups_object(table.names[3], words);
     assert_string_equal(words, "b c");
+    char title[CLOD_SERIES_GROUPS_TITLE];
+    clod_series_groups_title(clod_series_groups_quantity("gauge_lip.mass_flow"), "gauge lip",
+                             title);
+    assert_string_equal(title, "Mass flow: gauge lip");
+    clod_series_groups_title(clod_series_groups_quantity("max_speed"), "", title);
+    assert_string_equal(title, "Max speed");
     clod_series_groups_object("speed", words);
     assert_string_equal(words, "");
     clod_series_groups_whose(&groups.group[0], &table, words); // of walls that have no kind
