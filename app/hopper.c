@@ -26,8 +26,8 @@ typedef struct request {
 static const struct argp_option OPTIONS[] = {
     {"json", KEY_JSON, NULL, 0, "print everything as JSON in place of the table", 0},
     {"output", 'o', "NAME", 0,
-     "also write NAME.json, the design chart NAME.svg and the page NAME.html; they replace files "
-     "of these names",
+     "also write NAME.json, the design chart NAME.svg and the page NAME.html, which replace files of "
+     "these names, and the page's figures NAME-FIGURE.svg",
      0},
     {"set", 'S', "KEY=VALUE", 0, "another value for a key, e.g. cone.outlet=200mm", 0},
     {0},
@@ -81,20 +81,23 @@ static bool put(const request *self, const char *ending, char *text, clod_status
 }
 
 /** Write the page: first, since it may be refused. */
-static bool put_page(const request *self, const clod_hopper *hopper, clod_status *status)
+static bool put_page(const request *self, const clod_hopper *hopper, size_t *figures,
+                     clod_status *status)
 {
     char *path = name_of(self, ".html");
     const bool done = path != NULL
-                          ? clod_report_hopper(hopper, path, status)
+                          ? clod_report_hopper(hopper, path, figures, status)
                           : clod_status_fail(status, CLOD_FAILED, "No memory for the page.");
     free(path);
     return done;
 }
 
-/** Say that the page is written, and on standard error what it lacks, if anything. */
-static void tell_page(const request *self)
+/** Say that the page is written with its figures, and on standard error what it lacks, if anything. */
+static void tell_page(const request *self, size_t figures)
 {
-    fprintf(self->json ? stderr : stdout, "wrote %s.html\n", self->output);
+    FILE *out = self->json ? stderr : stdout;
+    fprintf(out, "wrote %s.html\n", self->output);
+    fprintf(out, "wrote %s-FIGURE.svg, the page's %zu figures\n", self->output, figures);
     if (clod_report_lacks() != NULL) {
         fprintf(stderr, "clod hopper: %s.\n", clod_report_lacks());
     }
@@ -103,11 +106,12 @@ static void tell_page(const request *self)
 /** Write all files that belong to a name. */
 static bool put_files(const request *self, const clod_hopper *hopper, clod_status *status)
 {
-    const bool done = put_page(self, hopper, status) &&
+    size_t figures = 0;
+    const bool done = put_page(self, hopper, &figures, status) &&
                       put(self, ".json", clod_hopper_json(hopper), status) &&
                       put(self, ".svg", clod_hopper_chart(hopper), status);
     if (done) {
-        tell_page(self);
+        tell_page(self, figures);
     }
     return done;
 }

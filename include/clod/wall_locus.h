@@ -59,6 +59,16 @@ typedef struct clod_wall_locus {
 bool clod_wall_locus_evaluate(const clod_wall_locus_point *points, size_t count,
                               clod_wall_locus *locus, clod_status *status);
 
+/**
+ * The same of points from a table, of which a line that falls is refused: no wall has one. Where all points have a
+ * wall_stress they are of a simulation, and it is a warning.
+ *
+ * Errors  CLOD_USAGE: as clod_wall_locus_evaluate, and phi_w below 0.   Threads pure.
+ * Test    tests/analysis/test_wall_locus.c
+ */
+bool clod_wall_locus_of_table(const clod_wall_locus_point *points, size_t count,
+                              clod_wall_locus *locus, clod_status *status);
+
 /** Free the content; an empty locus is fine, NULL is not. */
 void clod_wall_locus_fini(clod_wall_locus *self);
 

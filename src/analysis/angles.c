@@ -1,9 +1,11 @@
 #include "analysis/angles.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/mohr.h"
 #include "output/file.h"
 #include "output/folder_names.h"
 
@@ -71,6 +73,26 @@ static void list_places(const clod_locus *locus, const clod_locus_point *points,
     }
 }
 
+/** The preshear point, which no steady flow puts so far below the line. */
+static bool check_preshear(const clod_locus *locus, const char *places, const char *seed,
+                           clod_status *status)
+{
+    const double t = tan(locus->phi_lin.value);
+    const double sigma = locus->sigma_p.value, tau = locus->tau_p.value;
+    const double share = clod_mohr_share(locus->c.value, t, sigma, tau);
+    const double least = clod_mohr_share_least(t);
+    const double limit = fmin(CLOD_ANGLES_SHARE_LEAST, least);
+    return share >= limit ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: the yield locus at a preshear stress of %.3f kPa%s has tau_pre = %.3f kPa, "
+               "%.3f of the %.3f kPa that the line through its points has there; it must be "
+               "%.2f of it or more, and steady flow has at least %.2f. Has sigma_pre or tau_pre "
+               "another unit or column than the points, or has one of them a slip? If not, "
+               "preshear ended long before steady flow: shear further, and measure again.",
+               places, 1e-3 * sigma, seed, 1e-3 * tau, share, 1e-3 * tau / share, limit, least);
+}
+
 static bool check_locus(const clod_locus *locus, const char *places, clod_status *status)
 {
     const struct {
@@ -96,7 +118,7 @@ static bool check_locus(const clod_locus *locus, const char *places, clod_status
                 CLOD_ANGLES_LEAST, CLOD_ANGLES_MOST, CLOD_ANGLES_MOST, ANGLES[k].columns);
         }
     }
-    return true;
+    return check_preshear(locus, places, seed, status);
 }
 
 bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *points,

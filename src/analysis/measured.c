@@ -89,7 +89,7 @@ static bool read_wall(const char *path, const char *text, size_t length,
         return false;
     }
     clod_status why = {0};
-    const bool good = clod_wall_locus_evaluate(points, count, &self->wall, &why);
+    const bool good = clod_wall_locus_of_table(points, count, &self->wall, &why);
     clod_locus_free(points);
     return good || fail_evaluation(path, &why, status);
 }
@@ -286,7 +286,8 @@ static bool parse(const char *path, const char *text, size_t length,
 {
     self->kind = clod_measured_kind_of(text, length);
     const kind_row *kind = &KINDS[self->kind];
-    return check_known(path, text, length, status) &&
+    return clod_measured_header_check(path, clod_measured_stress_of(text, length), status) &&
+           check_known(path, text, length, status) &&
            check_header(path, text, length, status) &&
            check_defaults(path, defaults, kind, status) &&
            kind->read(path, text, length, defaults, self, status);

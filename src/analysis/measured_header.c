@@ -69,20 +69,40 @@ bool clod_measured_header_is_wall(const char *header)
            clod_measured_header_has(header, "tau_w");
 }
 
+/** Whether such a header has one of these columns, ended by NULL. */
+static bool has_any(const char *header, const char *const *names)
+{
+    while (*names != NULL && !clod_measured_header_has(header, *names)) {
+        names++;
+    }
+    return *names != NULL;
+}
+
+/** Bulk densities as laboratories print them, over the normal stress of preshear. */
+static bool is_density_of_preshear(const char *header)
+{
+    static const char *const PRESHEAR[] = {"sigma_pre", "sigma_p", NULL};
+    static const char *const DENSITY[] = {"rho_b", "rho", NULL};
+    static const char *const OTHERS[] = {"sigma_sh", "sigma_s", "sigma", "tau_sh",  "tau_s",
+                                         "tau",      "tau_pre", "tau_p", "sigma_1", NULL};
+    return has_any(header, PRESHEAR) && has_any(header, DENSITY) && !has_any(header, OTHERS);
+}
+
 clod_measured_stress clod_measured_stress_of(const char *text, size_t length)
 {
-    static const char *const SHEAR[] = {"sigma_sh", "sigma_s", "sigma",     "tau_sh",
-                                        "tau_s",    "tau",     "sigma_pre", "tau_pre"};
+    static const char *const SHEAR[] = {"sigma_sh", "sigma_s",   "sigma",   "tau_sh", "tau_s",
+                                        "tau",      "sigma_pre", "tau_pre", NULL};
     char header[CLOD_MEASURED_HEADER];
     CLOD_NEED(text);
     clod_measured_header_of(text, length, header);
     if (clod_measured_header_is_wall(header)) {
         return CLOD_MEASURED_OF_WALL;
     }
-    for (size_t k = 0; k < sizeof SHEAR / sizeof *SHEAR; k++) {
-        if (clod_measured_header_has(header, SHEAR[k])) {
-            return CLOD_MEASURED_OF_SHEAR;
-        }
+    if (is_density_of_preshear(header)) {
+        return CLOD_MEASURED_OF_PRESHEAR;
+    }
+    if (has_any(header, SHEAR)) {
+        return CLOD_MEASURED_OF_SHEAR;
     }
     return clod_measured_header_has(header, "sigma_1") ? CLOD_MEASURED_OF_SIGMA_1
                                                        : CLOD_MEASURED_OF_NONE;
@@ -91,7 +111,21 @@ clod_measured_stress clod_measured_stress_of(const char *text, size_t length)
 const char *const CLOD_MEASURED_STRESS_NAMES[] = {
     [CLOD_MEASURED_OF_SHEAR] = "shear points (sigma_pre, tau_pre, sigma_sh, tau_sh)",
     [CLOD_MEASURED_OF_WALL] = "wall friction (sigma_w, tau_w)",
-    [CLOD_MEASURED_OF_SIGMA_1] = "a flow function or bulk densities (sigma_1)"};
+    [CLOD_MEASURED_OF_SIGMA_1] = "a flow function or bulk densities (sigma_1)",
+    [CLOD_MEASURED_OF_PRESHEAR] = "bulk densities over the preshear stress (sigma_pre, rho_b)"};
+
+bool clod_measured_header_check(const char *path, clod_measured_stress found,
+                                clod_status *status)
+{
+    return found != CLOD_MEASURED_OF_PRESHEAR ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: is a table of %s. A table of bulk densities needs sigma_1, the major "
+               "principal stress of consolidation, in place of sigma_pre: that of the yield "
+               "locus at this preshear stress, which clod locus prints for its shear points. Or "
+               "put rho_b as a column into the table of shear points.",
+               path, CLOD_MEASURED_STRESS_NAMES[found]);
+}
 
 clod_measured_stress clod_measured_stress_in(const char *path)
 {

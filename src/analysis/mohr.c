@@ -2,6 +2,9 @@
 
 #include <math.h>
 
+#define SHARE_MOST 0.75  // docs/theory/yield-locus.md, also of the next
+#define SHARE_OF_TOP 0.9 // of what the top of the circle has
+
 clod_mohr clod_mohr_steady(double c, double t, double sigma_p, double tau_p)
 {
     const double length = sqrt(1.0 + t * t); // 1/cos phi
@@ -22,4 +25,15 @@ double clod_mohr_unconfined(double c, double t)
 double clod_mohr_touch(double centre, double radius, double t)
 {
     return centre - radius * t / sqrt(1.0 + t * t);
+}
+
+double clod_mohr_share(double c, double t, double sigma_p, double tau_p)
+{
+    const double locus = c + t * sigma_p;
+    return locus > 0.0 ? tau_p / locus : (double)INFINITY;
+}
+
+double clod_mohr_share_least(double t)
+{
+    return fmin(SHARE_MOST, SHARE_OF_TOP / sqrt(1.0 + t * t));
 }

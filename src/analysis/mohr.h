@@ -32,3 +32,19 @@ double clod_mohr_unconfined(double c, double t);
 
 /** Normal stress at which a circle touches a line of slope t. */
 double clod_mohr_touch(double centre, double radius, double t);
+
+/** tau_p over the height of the locus at sigma_p; infinite where the locus has none. */
+double clod_mohr_share(double c, double t, double sigma_p, double tau_p);
+
+/**
+ * The least such share of a preshear that came to steady flow: 0.75, and less for steep loci,
+ * 0.9 cos phi.
+ *
+ * At the top of the circle, where the planes of shear are those of the largest shear stress, it
+ * is cos phi whatever the cohesion is; a preshear point further right has not turned the
+ * principal stresses as far as steady flow does. The tenth is for curved loci and scatter.
+ *
+ * Errors  none.   Threads  pure.   Source  docs/theory/yield-locus.md.
+ * Test    tests/analysis/test_far_below.c
+ */
+double clod_mohr_share_least(double t);

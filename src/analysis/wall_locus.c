@@ -353,3 +353,22 @@ bool clod_wall_locus_evaluate(const clod_wall_locus_point *points, size_t count,
     clod_memory_free(work);
     return good;
 }
+
+bool clod_wall_locus_of_table(const clod_wall_locus_point *points, size_t count,
+                              clod_wall_locus *locus, clod_status *status)
+{
+    if (!clod_wall_locus_evaluate(points, count, locus, status)) {
+        return false;
+    }
+    const double angle = locus->phi_w.value;
+    if (angle >= 0.0 || is_simulated(locus)) {
+        return true;
+    }
+    clod_wall_locus_fini(locus);
+    return clod_status_fail(
+        status, CLOD_USAGE,
+        "the wall yield locus falls: its line has phi_w = %.1f deg. No wall bears less shear "
+        "stress under more load. Look at the points: their columns, their units, whether shear "
+        "was steady.",
+        angle / M_PI * 180.0);
+}

@@ -195,12 +195,22 @@ static void check_cohesion(clod_locus *locus)
 
 static void check_circles(clod_locus *locus)
 {
-    const double at = locus->c.value + tan(locus->phi_lin.value) * locus->sigma_p.value;
+    const double t = tan(locus->phi_lin.value);
+    const double at = locus->c.value + t * locus->sigma_p.value;
+    const double least = clod_mohr_share_least(t);
     if (locus->parallel) {
         clod_warnings_add(locus,
                           "The preshear point (%.3f, %.3f) kPa lies above the line (%.3f kPa "
                           "there): sigma_1 is from the parallel line through it.",
                           locus->sigma_p.value / KILO, locus->tau_p.value / KILO, at / KILO);
+    } else if (clod_mohr_share(locus->c.value, t, locus->sigma_p.value, locus->tau_p.value) <
+               least) {
+        clod_warnings_add(
+            locus,
+            "The preshear point (%.3f, %.3f) kPa lies far below the line (%.3f kPa there; "
+            "steady flow has %.2f of it or more): sigma_1 and ffc do not hold. Did preshear "
+            "end before steady flow, or has sigma_pre or tau_pre another unit or column?",
+            locus->sigma_p.value / KILO, locus->tau_p.value / KILO, at / KILO, least);
     }
     if (isnan(locus->phi_e.value)) {
         clod_warnings_add(locus, "sigma_2 = %.3f kPa is tension: phi_e is undefined.",

@@ -87,7 +87,7 @@ static bool make_wall(maker *self, size_t test, const clod_number *kind, clod_st
         return false;
     }
     clod_wall_locus locus;
-    const bool good = clod_wall_locus_evaluate(points, count, &locus, status);
+    const bool good = clod_wall_locus_of_table(points, count, &locus, status);
     clod_locus_free(points);
     if (good) {
         make_angles(self, test, kind, &locus);
@@ -134,10 +134,14 @@ static bool look(const char *path, clod_plan_is *is, clod_status *status)
         [CLOD_MEASURED_OF_SIGMA_1] = CLOD_PLAN_IS_FLOW,
     };
     const clod_measured_kind kind = clod_measured_kind_of(text, length);
+    const clod_measured_stress stress = clod_measured_stress_of(text, length);
+    clod_memory_free(text);
+    if (!clod_measured_header_check(path, stress, status)) {
+        return false;
+    }
     *is = kind == CLOD_MEASURED_DENSITY  ? CLOD_PLAN_IS_DENSITY
           : kind == CLOD_MEASURED_REPOSE ? CLOD_PLAN_IS_REPOSE
-                                         : BY_STRESS[clod_measured_stress_of(text, length)];
-    clod_memory_free(text);
+                                         : BY_STRESS[stress];
     return true;
 }
 

@@ -72,6 +72,23 @@ static void put_flow_factor(const clod_hopper *self, int s, const clod_plot *pan
     }
 }
 
+/** Say which measured points are not in the panel: far ones would press critical states into its corner. */
+static void put_outside(const clod_curve *curve, const clod_plot *panel)
+{
+    size_t outside = 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        outside += 1e-3 * curve->points[i].x > panel->most_x ||
+                   1e-3 * curve->points[i].y > panel->most_y;
+    }
+    if (outside > 0) {
+        char text[192];
+        snprintf(text, sizeof text,
+                 "%zu of %zu measured points outside; measured up to %.4g kPa", outside,
+                 curve->count, 1e-3 * curve->points[curve->count - 1].x);
+        clod_plot_note(panel, text);
+    }
+}
+
 static void put_flow_function(const clod_hopper *self, clod_plot *panel)
 {
     const clod_curve *curve = &self->solid.strength;
@@ -92,6 +109,7 @@ static void put_flow_function(const clod_hopper *self, clod_plot *panel)
     }
     put_flow_factor(self, CLOD_RADIAL_CONE, panel);
     put_flow_factor(self, CLOD_RADIAL_WEDGE, panel);
+    put_outside(curve, panel);
 }
 
 /** Limit of mass flow over the wall friction angle, at the effective angle of the cone's state. */

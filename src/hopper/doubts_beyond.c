@@ -8,7 +8,7 @@
 
 #include "hopper/doubts.h"
 
-#define PLACES 3
+#define PLACES 4
 #define FAR 10.0   // times the largest measured stress: a length in another unit, as a rule
 #define SLIDES 1.5 // rad: of a wall along which the solid slides phi_w is below
 #define TEXT 256   // bytes
@@ -16,7 +16,7 @@
 /** Where in a hopper a stress is. */
 typedef struct place {
     char where[64]; ///< "at the critical outlet"
-    double outlet;  ///< m; 0: the critical one
+    double outlet;  ///< m; 0: the critical one, or none
     double sigma_1, sigma_w;
 } place;
 
@@ -93,18 +93,23 @@ void clod_doubts_beyond(clod_hopper *self, const char *name, const clod_hopper_f
     place at[PLACES];
     double sigma_1[PLACES], sigma_w[PLACES];
     size_t count = 0;
-    if (design->outcome == CLOD_HOPPER_FUNNEL || design->outcome == CLOD_HOPPER_UNSETTLED) {
-        return;
-    }
-    if (clod_hopper_is_critical(design)) {
+    const bool flows =
+        design->outcome != CLOD_HOPPER_FUNNEL && design->outcome != CLOD_HOPPER_UNSETTLED;
+    if (flows && clod_hopper_is_critical(design)) {
         add(at, &count, 0.0, &design->state);
     }
-    if (design->built > 0.0 && !(design->built == design->outlet)) {
+    if (flows && design->built > 0.0 && !(design->built == design->outlet)) {
         add(at, &count, design->built, &design->design_state);
     }
-    if (!isnan(found->number[CLOD_HOPPER_MARGIN].value) && found->planned != design->built) {
+    if (flows && !isnan(found->number[CLOD_HOPPER_MARGIN].value) &&
+        found->planned != design->built) {
         const clod_solid_state planned = planned_of(self, found);
         add(at, &count, found->planned, &planned);
+    }
+    if (found->wish.shape == CLOD_RADIAL_WEDGE && self->slot.state.sigma_1 > 0.0) {
+        at[count++] = (place){.where = "for a slot in funnel flow",
+                              .sigma_1 = self->slot.state.sigma_1,
+                              .sigma_w = (double)NAN};
     }
     for (size_t k = 0; k < count; k++) {
         sigma_1[k] = at[k].sigma_1;

@@ -122,6 +122,22 @@ static void warn_silo(clod_hopper *self, const char *name, const clod_hopper_fou
     }
 }
 
+/** What decides on an outlet in place of an arch. */
+static void tell_funnel(char text[256], const clod_hopper *self, clod_radial_shape shape)
+{
+    const double width = 1e3 * self->slot.width;
+    if (shape == CLOD_RADIAL_CONE) {
+        snprintf(text, 256, "it is funnel flow, where a rathole decides in place of an arch");
+    } else if (isinf(width)) {
+        snprintf(text, 256, "it is funnel flow, where a dome stands over a slot of any width");
+    } else {
+        snprintf(text, 256,
+                 "it is funnel flow, where a slot must be wider than %.1f mm, and its diagonal "
+                 "longer than the rathole's diameter",
+                 width);
+    }
+}
+
 /** Why an outlet that is given has no stress over strength. */
 static void warn_no_margin(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
@@ -131,8 +147,7 @@ static void warn_no_margin(clod_hopper *self, const char *name, const clod_hoppe
     const clod_hopper_margin at = clod_hopper_margin_of(&self->solid, &built, found->planned);
     char why[256];
     if (found->design.outcome == CLOD_HOPPER_FUNNEL) {
-        snprintf(why, sizeof why,
-                 "it is funnel flow, where a rathole decides in place of an arch");
+        tell_funnel(why, self, found->wish.shape);
     } else if (at.sticks) {
         snprintf(
             why, sizeof why,

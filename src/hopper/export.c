@@ -102,12 +102,13 @@ static json_t *shape_of(const clod_hopper_found *found)
 static json_t *rathole_of(const clod_hopper *self)
 {
     const bool known = self->solid.phi_t.count > 0, filled = known && self->silo.diameter > 0.0;
-    return json_pack("{s:o, s:o, s:o, s:o, s:{s:o, s:o}}", "emptying_m",
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:{s:o, s:o}}", "emptying_m",
                      interval(&self->rathole[CLOD_HOPPER_EMPTYING], 1.0),
                      "smaller_diameters_without_rathole_m", ranges_of(&self->lower_holes),
                      "filling_m", interval(&self->rathole[CLOD_HOPPER_FILLING], 1.0),
-                     "filling_stress_Pa", number(self->hole.filling_stress), "known_shares",
-                     "emptying",
+                     "filling_stress_Pa", number(self->hole.filling_stress),
+                     CLOD_HOPPER_FIELD_SLOT.key, interval(&self->slot_width, 1.0),
+                     "known_shares", "emptying",
                      number(known ? self->holed[CLOD_HOPPER_EMPTYING] : (double)NAN), "filling",
                      number(filled ? self->holed[CLOD_HOPPER_FILLING] : (double)NAN));
 }

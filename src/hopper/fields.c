@@ -22,6 +22,9 @@ const clod_hopper_field CLOD_HOPPER_FIELDS[CLOD_HOPPER_NUMBERS] = {
                                   DEGREES, DEGREES, 1, NULL},
 };
 
+const clod_hopper_field CLOD_HOPPER_FIELD_SLOT = {
+    "slot_width_m", "width of a slot in funnel flow", "mm", 1e3, 1.0, 1, NULL};
+
 const clod_hopper_field *clod_hopper_field_of(const clod_hopper_found *found,
                                               clod_hopper_number number)
 {

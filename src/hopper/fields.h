@@ -23,6 +23,9 @@ extern const clod_hopper_field CLOD_HOPPER_FIELDS[CLOD_HOPPER_NUMBERS];
 const clod_hopper_field *clod_hopper_field_of(const clod_hopper_found *found,
                                               clod_hopper_number number);
 
+/** Width of a slot in funnel flow. */
+extern const clod_hopper_field CLOD_HOPPER_FIELD_SLOT;
+
 /** "cone", "wedge": by clod_radial_shape. */
 extern const char *const CLOD_HOPPER_SHAPE_NAMES[CLOD_HOPPER_SHAPES];
 

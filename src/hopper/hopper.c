@@ -49,6 +49,8 @@ static bool fill(clod_hopper *self, clod_status *status)
                                      self->from.silo.stress_ratio};
     self->hole = clod_rathole_of(&self->solid, &self->silo);
     self->lower_holes = clod_rathole_ranges(&self->solid, &self->hole);
+    self->slot = clod_rathole_slot_of(&self->solid);
+    self->slot_width.value = self->slot.width;
     self->rathole[CLOD_HOPPER_EMPTYING].value = self->hole.emptying;
     self->rathole[CLOD_HOPPER_FILLING].value = self->hole.filling;
     return clod_interval_fill(self, status) && clod_interval_specimens(self, status);

@@ -22,6 +22,7 @@ typedef struct sample {
     bool flows[CLOD_HOPPER_SHAPES]; ///< through the planned outlet
     bool held[CLOD_HOPPER_SHAPES];  ///< at it, by the wall
     double hole[CLOD_HOPPER_HOLES];
+    double slot;                                         ///< m: width in funnel flow
     double drawn[CLOD_HOPPER_SHAPES][CLOD_SOLID_CURVES]; ///< at the critical state as measured
 } sample;
 
@@ -113,6 +114,7 @@ static void design_sample(const task *self, const clod_solid *solid,
     const clod_rathole hole = clod_rathole_of(solid, &self->hopper->silo);
     to->hole[CLOD_HOPPER_EMPTYING] = hole.emptying;
     to->hole[CLOD_HOPPER_FILLING] = hole.filling;
+    to->slot = clod_rathole_slot_of(solid).width;
 }
 
 static void copy_points(const clod_solid *from, clod_solid *to)
@@ -379,6 +381,7 @@ static void collect(const task *self, const rooms *all, clod_hopper *to)
         to->holed[h] = put_interval(self, offsetof(sample, hole) + h * sizeof(double), room,
                                     &to->rathole[h]);
     }
+    put_interval(self, offsetof(sample, slot), room, &to->slot_width);
 }
 
 bool clod_interval_fill(clod_hopper *self, clod_status *status)

@@ -9,8 +9,9 @@ double clod_lines_reach(const clod_hopper *self)
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         critical = fmax(critical, self->shape[s].number[CLOD_HOPPER_SIGMA_1].value);
     }
-    return critical > 0.0 ? fmax(3.0 * critical, curve->points[1].x)
-                          : curve->points[curve->count - 1].x;
+    const double last = curve->points[curve->count - 1].x;
+    const double near = critical > 0.0 ? fmax(3.0 * critical, curve->points[1].x) : last;
+    return last < 2.0 * near ? fmax(near, last) : near;
 }
 
 void clod_lines_curve(const clod_curve *curve, double most, clod_line *line)

@@ -13,8 +13,8 @@ typedef struct clod_line {
     size_t count;
 } clod_line;
 
-/** Stress up to which the flow function matters to the design: past the critical states and the
- *  points near them; the last point where there is no critical state. Threads  pure. */
+/** Stress up to which the flow function is drawn: past the critical states and the points near them, and
+ *  to the last point where that less than doubles it or there is no critical state. Threads  pure. */
 double clod_lines_reach(const clod_hopper *self);
 
 /** A measured property over the stress from 0 to `most`. */

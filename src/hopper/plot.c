@@ -163,6 +163,12 @@ void clod_plot_mark(const clod_plot *self, clod_plot_point at, clod_plot_point l
     fprintf(self->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", x, y, colour);
 }
 
+void clod_plot_note(const clod_plot *self, const char *text)
+{
+    put_words(self->out, self->left + self->width - 10.0, self->top + self->height - 10.0,
+              "font-size=\"12\" text-anchor=\"end\"", text);
+}
+
 void clod_plot_legend(const clod_plot *self, int row, const clod_plot_pen *pen,
                       const char *text)
 {

@@ -46,6 +46,9 @@ void clod_plot_line(const clod_plot *self, const clod_plot_point *point, size_t 
 void clod_plot_mark(const clod_plot *self, clod_plot_point at, clod_plot_point low,
                     clod_plot_point high, const char *colour);
 
+/** Words in the lower right corner. */
+void clod_plot_note(const clod_plot *self, const char *text);
+
 /** A line of the legend, number `row` from above: a colour and what it stands for. */
 void clod_plot_legend(const clod_plot *self, int row, const clod_plot_pen *pen,
                       const char *text);

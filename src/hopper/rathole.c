@@ -9,7 +9,8 @@
 #define ROUNDS 100
 #define QUICK 40 ///< rounds after which bounds are halved
 #define CLOSE 1e-9
-#define LEAST_FLOW_FACTOR 1.7
+#define LEAST_FLOW_FACTOR 1.7 ///< of ratholes, and of domes over slots in funnel flow
+#define DOME 1.15             ///< H of a dome over a slot in funnel flow
 
 double clod_rathole_function(double phi_t)
 {
@@ -167,6 +168,21 @@ clod_rathole clod_rathole_of(const clod_solid *solid, const clod_rathole_silo *s
         self.filling_stress = janssen(solid, silo);
         const clod_solid_state at = clod_solid_at(solid, self.filling_stress);
         self.filling = diameter(&at);
+    }
+    return self;
+}
+
+clod_rathole_slot clod_rathole_slot_of(const clod_solid *solid)
+{
+    clod_rathole_slot self = {.width = 0.0};
+    double met = 0.0;
+    const clod_curve_meeting meeting =
+        clod_curve_meet(&solid->strength, 1.0 / LEAST_FLOW_FACTOR, (double)INFINITY, &met);
+    if (meeting == CLOD_CURVE_ABOVE) {
+        self.width = (double)INFINITY;
+    } else if (meeting == CLOD_CURVE_MEETS) {
+        self.state = clod_solid_at(solid, met);
+        self.width = DOME * self.state.strength / (self.state.rho * CLOD_HOPPER_GRAVITY);
     }
     return self;
 }

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file rathole.h
- * The largest stable rathole of a hopper in funnel flow. Equations: docs/theory/hopper.md.
+ * Funnel flow: the largest stable rathole, and the width of a slot. Equations: docs/theory/hopper.md.
  */
 
 #include "hopper/ranges.h"
@@ -41,6 +41,22 @@ double clod_rathole_function(double phi_t);
  * Errors  none.   Threads  pure.   Test  tests/hopper/test_rathole.c
  */
 clod_rathole clod_rathole_of(const clod_solid *solid, const clod_rathole_silo *silo);
+
+/** A slot in funnel flow. */
+typedef struct clod_rathole_slot {
+    double
+        width; ///< m: no dome stands over wider ones; 0: over none at all; INFINITY: one over any
+    clod_solid_state state; ///< where the width is neither 0 nor infinite
+} clod_rathole_slot;
+
+/**
+ * Width of a slot in funnel flow from which on no dome stands over it: where the flow function meets a flow factor of
+ * 1.7, with H = 1.15. The diagonal of the slot must be longer than the rathole's diameter besides.
+ *
+ * Errors  none.   Threads  pure.   Source  Schulze, Powders and bulk solids, 10.3.2.5, as retold in docs/theory/hopper.md
+ * Test    tests/hopper/test_rathole.c
+ */
+clod_rathole_slot clod_rathole_slot_of(const clod_solid *solid);
 
 /**
  * Diameters below the one of a hole that empties at which no rathole stands either.

@@ -82,7 +82,9 @@ struct clod_hopper {
     double
         holed[CLOD_HOPPER_HOLES]; ///< share of the samples in which G of that rathole is known
     clod_rathole hole;
-    clod_ranges lower_holes; ///< diameters below that of emptying at which none stands
+    clod_rathole_slot slot;       ///< in funnel flow
+    clod_hopper_value slot_width; ///< m, of that
+    clod_ranges lower_holes;      ///< diameters below that of emptying at which none stands
     clod_hopper_specimen
         *specimens; ///< [specimen_count] owned; NULL: fewer than two such specimens
     size_t specimen_count;

@@ -129,6 +129,9 @@ static void put_shape(FILE *out, const clod_hopper *self, int shape)
                 cone ? "outlet by particles, 8 times" : "outlet by particles, 4 times",
                 1e3 * found->mechanical);
     }
+    if (!cone) {
+        put_line(out, &CLOD_HOPPER_FIELD_SLOT, &self->slot_width);
+    }
     clod_words_shares(found, text);
     put_text(out, "  samples ", text);
     put_specimens(out, self, (int)found->wish.shape);

@@ -15,6 +15,9 @@ static bool is_of(const char *path, const char *key, clod_measured_stress takes,
 {
     const clod_measured_stress found =
         path != NULL ? clod_measured_stress_in(path) : CLOD_MEASURED_OF_NONE;
+    if (!clod_measured_header_check(path, found, status)) {
+        return false;
+    }
     return found == CLOD_MEASURED_OF_NONE || found == takes ||
            clod_status_fail(status, CLOD_USAGE,
                             "%s: is a table of %s, which belongs in %s; %s takes %s.", path,

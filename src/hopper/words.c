@@ -8,6 +8,7 @@
 
 #define DEGREES 57.295779513082323
 #define NO_ANGLE 1.5 ///< rad: of a wall that the solid does not slide along
+#define MOST 0.5     ///< of the samples
 
 /** Whether a half angle is given that is flatter than the limit that is given. */
 static bool is_beyond(const clod_hopper_found *found)
@@ -15,12 +16,23 @@ static bool is_beyond(const clod_hopper_found *found)
     return found->wish.limit > 0.0 && found->wish.half_angle > found->wish.limit;
 }
 
+/** Whether the means of the measured properties make mass flow. */
+static bool flows(const clod_hopper_found *found)
+{
+    return found->design.outcome == CLOD_HOPPER_FLOWS ||
+           found->design.outcome == CLOD_HOPPER_NO_ARCH;
+}
+
+/** Share of the samples in funnel flow, or not known to be mass flow. */
+static double without_mass_flow(const clod_hopper_found *found)
+{
+    return found->share[CLOD_HOPPER_FUNNEL] + found->share[CLOD_HOPPER_UNPROVEN];
+}
+
 /** Beside the verdict of mass flow, that too many samples do not have it. */
 static void put_doubt(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
 {
-    const clod_hopper_outcome outcome = found->design.outcome;
-    const bool flows = outcome == CLOD_HOPPER_FLOWS || outcome == CLOD_HOPPER_NO_ARCH;
-    if (flows && found->share[CLOD_HOPPER_FUNNEL] > CLOD_WORDS_SOME) {
+    if (flows(found) && found->share[CLOD_HOPPER_FUNNEL] > CLOD_WORDS_SOME) {
         const size_t used = strlen(text);
         snprintf(text + used, CLOD_WORDS_MOST - used,
                  " But %.1f %% of the samples are in funnel flow: see the warnings.",
@@ -44,6 +56,16 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
         [CLOD_HOPPER_UNSETTLED] = "No critical state was found; see the warnings.",
     };
     const clod_hopper_design *at = &found->design;
+    if (flows(found) && without_mass_flow(found) > MOST) {
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "Mass flow is less likely than not: %.1f %% of the samples have none. As "
+            "measured, without errors, it is mass flow, and no cohesive arch stands %s: see "
+            "the warnings.",
+            100.0 * without_mass_flow(found),
+            at->outlet > 0.0 ? "above the critical outlet" : "at any outlet");
+        return;
+    }
     if (at->outcome == CLOD_HOPPER_UNPROVEN) {
         snprintf(
             text, CLOD_WORDS_MOST,
@@ -68,6 +90,12 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
         snprintf(text, CLOD_WORDS_MOST,
                  "Mass flow, and no cohesive arch above the critical outlet. It is the wall's: "
                  "at the stresses of smaller ones the solid does not slide along it.");
+    } else if (at->outcome == CLOD_HOPPER_FUNNEL && found->wish.shape == CLOD_RADIAL_WEDGE) {
+        snprintf(
+            text, CLOD_WORDS_MOST,
+            "Funnel flow: the solid does not slide along this wall. A smoother or a steeper one "
+            "may help; otherwise only a slot empties that is wider than the width in funnel "
+            "flow, and whose diagonal is longer than the rathole's diameter.");
     } else {
         snprintf(text, CLOD_WORDS_MOST, "%s", WORDS[at->outcome]);
     }

@@ -79,6 +79,9 @@ static void put_numbers(FILE *out, const clod_hopper *design)
                 out, &PARTICLES[CLOD_HOPPER_CELLS_SHAPES[k]],
                 &(clod_hopper_value){.value = found->mechanical, .low = none, .high = none});
         }
+        if (found->wish.shape == CLOD_RADIAL_WEDGE) {
+            put_row(out, &CLOD_HOPPER_FIELD_SLOT, &design->slot_width);
+        }
         fputs("</tbody></table></div>\n", out);
     }
     if (design->solid.phi_t.count > 0) {

@@ -178,6 +178,20 @@ static void put_margin(FILE *out, const clod_hopper_found *found)
     put_card(out, how, margin->value, caption);
 }
 
+/** A slot in funnel flow; its length is that of the rathole. */
+static void put_slot(FILE *out, const clod_hopper *design, const clod_hopper_found *found)
+{
+    const clod_hopper_value *width = &design->slot_width;
+    char numbers[240], caption[512];
+    tell(numbers, &CLOD_HOPPER_FIELD_SLOT, width);
+    snprintf(
+        caption, sizeof caption,
+        "width of the slot to build, at least, if it stays funnel flow; its diagonal must be "
+        "longer than the rathole's diameter. %s",
+        numbers);
+    put_card(out, &CLOD_HOPPER_FIELD_SLOT, fmax(width->high, found->mechanical), caption);
+}
+
 static void put_shape(FILE *out, const clod_hopper *design, int shape)
 {
     const clod_hopper_found *found = &design->shape[shape];
@@ -196,6 +210,9 @@ static void put_shape(FILE *out, const clod_hopper *design, int shape)
     if (!funnel) {
         put_angle(out, design, found);
         put_outlet(out, design, found);
+    }
+    if (funnel && found->wish.shape == CLOD_RADIAL_WEDGE) {
+        put_slot(out, design, found);
     }
     if (found->planned > 0.0) {
         put_margin(out, found);

@@ -109,7 +109,8 @@ bool clod_report_write(const clod_report_options *options, char **path, clod_sta
     return good;
 }
 
-bool clod_report_hopper(const clod_hopper *design, const char *path, clod_status *status)
+bool clod_report_hopper(const clod_hopper *design, const char *path, size_t *figures,
+                        clod_status *status)
 {
     clod_sheet sheet = {0};
     bool good = clod_sheet_open(&sheet, status);
@@ -117,6 +118,7 @@ bool clod_report_hopper(const clod_hopper *design, const char *path, clod_status
         clod_hopper_page_put(&sheet, design);
         good = clod_sheet_write(&sheet, clod_hopper_page_title(design), path, status);
     }
+    *figures = sheet.file_count;
     clod_sheet_fini(&sheet);
     return good;
 }

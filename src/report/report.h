@@ -51,11 +51,13 @@ bool clod_report_compare(const clod_report_options *options, char **path, clod_s
  * Write the page of a design: warnings, what to build, figures, numbers, provenance; and each figure
  * as SVG beside it.
  *
- * @param path  of the page: NAME.html
+ * @param path     of the page: NAME.html
+ * @param figures  [out] number of SVG files, NAME-FIGURE.svg
  * Errors  CLOD_USAGE: a file in the way of a figure; CLOD_FAILED: disk, memory.   Threads  one at a time.
  * Test    tests/report/test_hopper_page.py
  */
-bool clod_report_hopper(const clod_hopper *design, const char *path, clod_status *status);
+bool clod_report_hopper(const clod_hopper *design, const char *path, size_t *figures,
+                        clod_status *status);
 
 /** NULL, or what the pages lack because clod was built without their scripts, and how to get it.
  */

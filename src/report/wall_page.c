@@ -241,7 +241,9 @@ json_t *clod_wall_page_lab(const char *path, clod_status *status)
     if (!clod_wall_locus_read(path, &points, &count, status)) {
         return NULL;
     }
-    const bool good = clod_wall_locus_evaluate(points, count, &made, status);
+    clod_status why = {0};
+    const bool good = clod_wall_locus_of_table(points, count, &made, &why) ||
+                      clod_status_fail(status, why.code, "%s: %s", path, why.text);
     clod_locus_free(points);
     char *text = good ? clod_wall_locus_json(&made) : NULL;
     json_t *all = text != NULL ? json_loads(text, 0, NULL) : NULL;

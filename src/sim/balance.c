@@ -7,6 +7,8 @@
 #include "base/json.h"
 #include "setup/grains.h"
 #include "sim/exits.h"
+#include "sim/steady_doubt.h"
+#include "sim/warning_box.h"
 
 /** Ways out, and removal by the run itself. */
 #define WAYS (CLOD_EXITS + 1)
@@ -107,6 +109,13 @@ static bool is_way(const clod_case *from, const clod_balance_count *now, int way
                             : now->out[CLOD_EXITS] > 0;
 }
 
+/** Whether a run of a case may tell this way: only programs remove grains. */
+static bool may_be_way(const clod_case *from, int way)
+{
+    return way < CLOD_FACES ? from->open == CLOD_OPEN_DELETE && !from->periodic[way / 2]
+                            : (size_t)(way - CLOD_FACES) < from->outlet_count;
+}
+
 /** Whether what goes this way has missed the one that was meant. */
 static bool is_spillage(const clod_case *from, int way)
 {
@@ -166,14 +175,21 @@ static double mean_flow(const clod_case *from, const clod_balance_count *first,
                                     : (double)NAN;
 }
 
+/** Means of a flow in the blocks that are over [kg/s]; how many. */
+static int blocks_of(const clod_balance *self, const clod_case *from, int flow, double *each)
+{
+    const int blocks = self->edges > 0 ? (int)self->edges - 1 : 0;
+    for (int b = 0; b < blocks; b++) {
+        each[b] = mean_flow(from, &self->edge[b], &self->edge[b + 1], flow);
+    }
+    return blocks;
+}
+
 /** Mean over the blocks, and their standard deviation [kg/s]; NAN without a whole block. */
 static void flow_of(const clod_balance *self, const clod_case *from, int flow, double told[2])
 {
     double each[CLOD_STEADY_BLOCKS];
-    const int blocks = (int)self->edges - 1;
-    for (int b = 0; b < blocks; b++) {
-        each[b] = mean_flow(from, &self->edge[b], &self->edge[b + 1], flow);
-    }
+    const int blocks = blocks_of(self, from, flow, each);
     told[0] = told[1] = (double)NAN;
     if (blocks > 0) {
         told[0] = mean_flow(from, &self->edge[0], &self->edge[blocks], flow);
@@ -292,6 +308,47 @@ static void balance_report(FILE *out, const void *memory, const clod_free_moment
     put_line(out, "lost", "", grains, mass, NULL);
 }
 
+/** Whether grains of this case can leave. */
+static bool has_way_out(const clod_case *from)
+{
+    bool any = false;
+    for (int e = 0; e < CLOD_EXITS; e++) {
+        any |= may_be_way(from, e);
+    }
+    return any;
+}
+
+/** A stream that is fed is steady when as much leaves as comes in. Without a feed, or a way out, it is
+ *  an emptying or a filling, and nobody thinks it steady. */
+static void balance_warn(json_t *list, const void *memory, const clod_free_moment *now)
+{
+    const clod_balance *self = memory;
+    const clod_case *from = now->from;
+    double in[2], stored[2], block[CLOD_STEADY_BLOCKS];
+    if (!is_open(from) || !has_way_out(from)) {
+        return;
+    }
+    flow_of(self, from, FLOW_IN, in);
+    flow_of(self, from, FLOW_STORED, stored);
+    if (!(in[0] > 0.0)) { // NAN: no block is over
+        return;
+    }
+    const int blocks = blocks_of(self, from, FLOW_STORED, block);
+    if (clod_steady_doubt_not_zero(block, blocks, in[0])) {
+        clod_warning_box_add(
+            list,
+            "Balance: what is inside %s by %.3g kg/s from %.4g to %.4g s, %.0f %% of what comes in: "
+            "the run is not steady, nor are its means. Let the stages last longer, or give a later "
+            "output.steady_since%s.",
+            stored[0] > 0.0 ? "grows" : "falls", fabs(stored[0]), self->edge[0].time,
+            self->edge[blocks].time, 100.0 * fabs(stored[0]) / in[0],
+            stored[0] > 0.0 ? "; where it grows on, solid builds up" : "");
+    } else {
+        clod_steady_doubt_warn(list, "Balance: the flow out", "kg/s", block,
+                               blocks_of(self, from, FLOW_OUT, block), &now->steady);
+    }
+}
+
 static json_t *entry(const clod_balance *self, const clod_case *from, int64_t grains,
                      double mass, int flow)
 {
@@ -304,13 +361,6 @@ static json_t *entry(const clod_balance *self, const clod_case *from, int64_t gr
 
 /** Of entry. */
 #define ENTRY_PATHS "grains mass_kg flow_kg_per_s.mean flow_kg_per_s.deviation"
-
-/** Whether a run of a case may tell this way: only programs remove grains. */
-static bool may_be_way(const clod_case *from, int way)
-{
-    return way < CLOD_FACES ? from->open == CLOD_OPEN_DELETE && !from->periodic[way / 2]
-                            : (size_t)(way - CLOD_FACES) < from->outlet_count;
-}
 
 static void balance_paths(const clod_case *from, const clod_state *state,
                           clod_free_paths *paths)
@@ -371,6 +421,7 @@ const clod_free_measure CLOD_MEASURE_BALANCE = {.key = "balance",
                                                 .column = balance_column,
                                                 .row = balance_row,
                                                 .report = balance_report,
+                                                .warn = balance_warn,
                                                 .told = is_open,
                                                 .paths = balance_paths,
                                                 .json = balance_json};

@@ -238,6 +238,15 @@ void clod_free_measures_report(FILE *out, const void *memory, const clod_free_mo
     }
 }
 
+void clod_free_measures_warn(json_t *list, const void *memory, const clod_free_moment *now)
+{
+    for (int k = 0; k < COUNT; k++) {
+        if (MEASURES[k]->warn != NULL) {
+            MEASURES[k]->warn(list, memory_of(memory, now->from, k), now);
+        }
+    }
+}
+
 static bool is_told(int k, const clod_case *from)
 {
     return MEASURES[k]->json != NULL && (MEASURES[k]->told == NULL || MEASURES[k]->told(from));

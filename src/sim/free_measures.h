@@ -81,6 +81,8 @@ typedef struct clod_free_measure {
     void (*sums_end)(void *memory, const clod_free_moment *now);
     /** Lines for people at the end. */
     void (*report)(FILE *out, const void *memory, const clod_free_moment *now);
+    /** Warnings about what it reports: texts into a list. */
+    void (*warn)(json_t *list, const void *memory, const clod_free_moment *now);
     /** Whether summary.json of a run of this case has its object; NULL: always. */
     bool (*told)(const clod_case *from);
     /** The same as the report for programs, where it is told: a new object or array; NULL when there is nothing yet. */
@@ -147,6 +149,9 @@ void clod_free_measures_row(void *memory, const clod_free_moment *now, double *r
 void clod_free_measures_sums_end(void *memory, const clod_free_moment *now);
 
 void clod_free_measures_report(FILE *out, const void *memory, const clod_free_moment *now);
+
+/** Add the warnings of all measures to a list of texts. */
+void clod_free_measures_warn(json_t *list, const void *memory, const clod_free_moment *now);
 
 /** Add the paths of the numbers that the objects of all measures may have in the summary of a run of
  *  this case, from its top; of the state only the walls are looked at. Errors  `lost`. */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "base/plural.h"
 #include "base/text.h"
@@ -23,6 +24,7 @@
 #include "sim/job_store.h"
 #include "sim/mesh_doubts.h"
 #include "sim/origin.h"
+#include "sim/warning_box.h"
 
 /** Columns before those of the measures. */
 static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]",
@@ -205,6 +207,18 @@ static void report_stages(FILE *out, const clod_job *job)
     }
 }
 
+/** What is to be said beside the results: a new list of texts. */
+static json_t *warnings_of(const clod_job *job, const clod_free_moment *now)
+{
+    json_t *list = json_array();
+    char text[CLOD_SOLID_TEXT];
+    if (clod_grain_solid_missed(now->from, text, sizeof text)) {
+        json_array_append_new(list, json_string(text));
+    }
+    clod_free_measures_warn(list, measures_of(job->procedure.data, now->from), now);
+    return list;
+}
+
 /** Owned text; NULL without memory. */
 static char *make_report(clod_job *job)
 {
@@ -225,7 +239,15 @@ static char *make_report(clod_job *job)
     report_stages(out, job);
     const clod_free_moment now = moment_of(job->procedure.data, job->sim->from, state, NULL);
     clod_free_measures_report(out, measures_of(job->procedure.data, now.from), &now);
-    return clod_text_close(&text);
+    json_t *warnings = warnings_of(job, &now);
+    clod_warning_box_put(out, warnings);
+    json_decref(warnings);
+    char *report = clod_text_close(&text);
+    if (clod_json_lacks_memory()) { // a warning is not there
+        clod_memory_free(report);
+        report = NULL;
+    }
+    return report;
 }
 
 static json_t *stages_json(const clod_job *job)
@@ -260,12 +282,13 @@ static bool write_summary(clod_job *job, clod_status *status)
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));
     }
-    char warning[CLOD_SOLID_TEXT];
-    if (clod_grain_solid_missed(sim->from, warning, sizeof warning)) {
-        json_object_set_new(root, "warnings", json_pack("[s]", warning));
-    }
     const clod_free_moment now = moment_of(job->procedure.data, sim->from, state, NULL);
     const void *measures = measures_of(job->procedure.data, sim->from);
+    json_t *warnings = warnings_of(job, &now);
+    if (json_array_size(warnings) > 0) {
+        json_object_set(root, "warnings", warnings);
+    }
+    json_decref(warnings);
     clod_free_measures_json(root, measures, &now);
     const bool ok = clod_free_measures_write(sim->folder, measures, &now, status) &&
                     clod_folder_write_json(sim->folder, "summary.json", root, status);

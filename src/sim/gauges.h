@@ -65,6 +65,9 @@ bool clod_gauges_news(void *memory, const clod_case *from, const clod_state *sta
 void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *now);
 json_t *clod_gauges_json(const void *memory, const clod_free_moment *now);
 
+/** Warn of gauges whose means are not those of a steady stream (gauges_warn.c). */
+void clod_gauges_warn(json_t *list, const void *memory, const clod_free_moment *now);
+
 void clod_gauges_paths(const clod_case *from, const clod_state *state, clod_free_paths *paths);
 bool clod_gauges_write(const clod_folder *folder, const void *memory,
                        const clod_free_moment *now, clod_status *status);

@@ -76,16 +76,23 @@ static double flow_between(const clod_gauge_passed *first, const clod_gauge_pass
     return last->time > first->time ? mass / (last->time - first->time) : (double)NAN;
 }
 
+int clod_gauges_plane_blocks(const clod_gauges *self, size_t gauge, double *block)
+{
+    const clod_gauge_passed *edge = self->gauge[gauge].passed_edge;
+    const int blocks = self->edges > 0 ? (int)self->edges - 1 : 0;
+    for (int b = 0; b < blocks; b++) {
+        block[b] = flow_between(&edge[b], &edge[b + 1]);
+    }
+    return blocks;
+}
+
 /** Mean over the blocks, and their standard deviation [kg/s]; NAN without a whole block. */
 static void flow_of(const clod_gauges *self, size_t gauge, double told[2])
 {
     const clod_gauge_passed *edge = self->gauge[gauge].passed_edge;
-    const int blocks = (int)self->edges - 1;
     double each[CLOD_STEADY_BLOCKS];
+    const int blocks = clod_gauges_plane_blocks(self, gauge, each);
     told[0] = told[1] = (double)NAN;
-    for (int b = 0; b < blocks; b++) {
-        each[b] = flow_between(&edge[b], &edge[b + 1]);
-    }
     if (blocks > 0) {
         told[0] = flow_between(&edge[0], &edge[blocks]);
         told[1] = clod_steady_time_deviation(each, blocks);

@@ -20,6 +20,10 @@ void clod_gauges_plane_note(clod_gauges *self, const clod_free_moment *now);
 int64_t clod_gauges_plane_plan(const clod_gauges *self, const clod_case *from,
                                const clod_state *state, const clod_steady_time *steady);
 
+/** Flows forward less back in the blocks of the steady time, of a gauge that has a plane.
+ *  @param block  [CLOD_STEADY_BLOCKS] kg/s;  @return  blocks that are over */
+int clod_gauges_plane_blocks(const clod_gauges *self, size_t gauge, double *block);
+
 /** "passed_forward [1]" of column k. */
 const char *clod_gauges_plane_column(size_t k);
 

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/prose.h"
+
 #define HEAD "\n  Warnings of the simulation\n"
 
 void clod_warning_box_add(json_t *list, const char *format, ...)
@@ -14,6 +16,17 @@ void clod_warning_box_add(json_t *list, const char *format, ...)
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
     json_array_append_new(list, json_string(text));
+}
+
+void clod_warning_box_put(FILE *out, const json_t *list)
+{
+    size_t at;
+    json_t *warning;
+    json_array_foreach(list, at, warning)
+    {
+        fputs(at == 0 ? HEAD : "", out);
+        clod_prose_warning(out, json_string_value(warning));
+    }
 }
 
 size_t clod_warning_box_size(const json_t *list)

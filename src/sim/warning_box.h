@@ -5,10 +5,14 @@
  */
 
 #include <jansson.h>
+#include <stdio.h>
 
 /** Add a warning, at most some 600 characters. */
 void clod_warning_box_add(json_t *list, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/** Write the box into a file, its lines broken; nothing when there is nothing to warn of. */
+void clod_warning_box_put(FILE *out, const json_t *list);
 
 /** Characters that the box takes. */
 size_t clod_warning_box_size(const json_t *list);

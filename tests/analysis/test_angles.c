@@ -43,7 +43,7 @@ static void both_ends_of_the_range(void **state)
         status.text, "a.csv:2, 3, 4, 5: the yield locus at a preshear stress of 10.000 kPa has "
                      "phi_lin = 0.99" RANGE "sigma_sh and tau_sh" EXCHANGED);
     for (int above = 0; above < 2; above++) {
-        points_on_line(0.0, (above ? 80.01 : 79.99) * DEG, 10e3, 7.6e3, SIGMA, 4, points);
+        points_on_line(0.0, (above ? 80.01 : 79.99) * DEG, 10e3, 56e3, SIGMA, 4, points);
         assert_int_equal(taken(points, &status), !above);
     }
     assert_non_null(strstr(status.text, "phi_lin = 80.01" RANGE));

@@ -151,6 +151,30 @@ static void a_locus_that_is_odd_says_so(void **state)
     clod_wall_locus_fini(&locus);
 }
 
+// atan(-0.1): of a table; where all points tell the stress that was asked for they are of a simulation.
+static void a_table_that_falls_is_refused(void **state)
+{
+    (void)state;
+    clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 500.0},
+                                      {.sigma = 2e3, .tau = 400.0}};
+    clod_wall_locus locus;
+    clod_status status = {0};
+    assert_false(clod_wall_locus_of_table(points, 2, &locus, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_null(locus.marks);
+    assert_non_null(
+        strstr(status.text, "the wall yield locus falls: its line has phi_w = -5.7 deg."));
+    points[0].wall_stress = 1e3;
+    assert_false(clod_wall_locus_of_table(points, 2, &locus, &status));
+    points[1].wall_stress = 2e3;
+    assert_true(clod_wall_locus_of_table(points, 2, &locus, &status));
+    assert_non_null(strstr(locus.warnings[0], "give more shear, more grains or more seeds"));
+    clod_wall_locus_fini(&locus);
+    points[1] = (clod_wall_locus_point){.sigma = 2e3, .tau = 500.0}; // flat
+    assert_true(clod_wall_locus_of_table(points, 2, &locus, &status));
+    clod_wall_locus_fini(&locus);
+}
+
 static void expect_only(const clod_wall_locus_point *points, size_t count, const char *text)
 {
     clod_wall_locus locus = evaluate(points, count);
@@ -284,6 +308,7 @@ int main(void)
         cmocka_unit_test(seeds_give_their_mean_and_scatter),
         cmocka_unit_test(what_is_no_locus_is_refused),
         cmocka_unit_test(a_locus_that_is_odd_says_so),
+        cmocka_unit_test(a_table_that_falls_is_refused),
         cmocka_unit_test(an_angle_that_no_wall_has_is_told),
         cmocka_unit_test(an_angle_that_no_simulated_wall_has),
         cmocka_unit_test(a_stated_error_as_large_as_its_value_is_told),

@@ -204,6 +204,25 @@ static void table_of_another_test_is_refused(void **state)
         "tables test lab takes bulk densities (sigma_1, rho_b), a flow function (sigma_1, sigma_c)");
 }
 
+static void densities_over_the_preshear_stress_are_refused(void **state)
+{
+    lab_write_file(state, "lab.csv", "sigma_pre [kPa],rho_b [kg/m3]\n20,1400\n54.8,1500\n");
+    lab_refuse_of(
+        state, RING, "contacts.default.rolling_friction", "locus: lab.csv",
+        "lab.csv: is a table of bulk densities over the preshear stress (sigma_pre, rho_b). A table of bulk "
+        "densities needs sigma_1");
+}
+
+// By hand: tau = 5 kPa + 0.5 sigma has 32.4 kPa at 54.8 kPa; 12 kPa are 0.37 of it.
+static void preshear_far_below_its_line_is_refused(void **state)
+{
+    lab_write_file(state, "lab.csv", SHEAR_HEAD "54.8,12,12,11,0.1\n54.8,12,30,20,0.1\n");
+    lab_refuse_of(
+        state, RING, "contacts.default.rolling_friction", "locus: lab.csv",
+        "lab.csv:2, 3: the yield locus at a preshear stress of 54.800 kPa has tau_pre = 12.000 kPa, 0.370 of the "
+        "32.400 kPa");
+}
+
 static void wall_table_that_is_no_target_is_refused(void **state)
 {
     lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,0\n");
@@ -225,8 +244,12 @@ static void wall_table_that_is_no_target_is_refused(void **state)
     refuse(
         state, "locus: lab.csv, number: phi_w, error: 0.5 deg",
         "targets.0.number: phi_w is none of a wall yield locus (sigma_w, tau_w); of such a table it is phi_x");
-    lab_write_file(state, "lab.csv", WALL_HEAD "20,0,0.1,1\n10,2.5,0.1,1\n");
-    refuse(state, "locus: lab.csv", "has a phi_x of 0 deg at 20 kPa; allowed is 1 to 85 deg");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,0,0.1,1\n");
+    refuse(state, "locus: lab.csv", "has a phi_x of 0 deg at 10 kPa; allowed is 1 to 85 deg");
+    lab_write_file(state, "lab.csv", WALL_HEAD "20,2,0.1,1\n10,2.5,0.1,1\n"); // atan(-0.05)
+    refuse(
+        state, "locus: lab.csv",
+        "targets.0.locus: the wall yield locus falls: its line has phi_w = -2.9 deg. No wall");
 }
 
 int main(void)
@@ -249,6 +272,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(repeats_at_one_wall_stress_are_one_target,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(wall_table_that_is_no_target_is_refused,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(densities_over_the_preshear_stress_are_refused,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(preshear_far_below_its_line_is_refused,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(table_of_another_test_is_refused, temp_folder_make,
                                         temp_folder_remove),

@@ -1,5 +1,6 @@
 """Gauges, balance and belts of a free run: streams with known answers, alarm, same bytes."""
 
+import html
 import math
 import os
 import sys
@@ -121,6 +122,39 @@ class Gauges(clod.Case):
         self.assertLess(abs(sum(late) / len(late) - gauge["mass_flow_kg_per_s"]["mean"]), 1e-6)
         self.check_balance(done, rows)
         self.check_tables(gauge)
+        self.assertNotIn("warnings", self.summary("out"))  # it is steady
+
+    def warned(self, text):
+        """Warnings of a run, which its report and its page have too."""
+        self.write(text)
+        done = self.go("out", "1", "--fresh")
+        told = self.summary("out").get("warnings", [])
+        self.assertEqual(clod.run("report", self.path("out")).returncode, 0)
+        page = html.unescape(clod.read(self.path("out/report.html")).decode())
+        for warning in told:
+            self.assertIn("- " + warning, " ".join(done.stdout.split()))
+            self.assertIn(f"<li>{warning}</li>", page)
+        self.assertEqual("Warnings of the simulation" in done.stdout, bool(told))
+        return told
+
+    def test_means_from_the_beginning_are_not_steady(self):
+        """The lowest grain begins 15.5 mm below 0: by its fall at 1 m/s it is in the gauge, 84.5 mm further down, after 62 ms,
+        and 234.5 mm further down, where outlets begin, after 139 ms. Blocks are of 50 ms, in which 38 grains come."""
+        gauge, balance = sorted(self.warned(FALL.replace("DURATION", "0.5 s").replace("0.4 s}", "0 s}")), reverse=True)
+        self.assertIn("Gauge fall: the mass flow is 0 until 0.05 s, and its mean is taken from 0 s on:", gauge)
+        self.assertRegex(balance, "^Balance: the flow out is 0 until 0.15? s, and its mean is taken from 0 s on:")
+        for text in (gauge, balance):
+            self.assertIn("Let the stages last longer, or give a later output.steady_since.", text)
+
+    def test_a_filling_is_not_steady(self):
+        """In the first 130 ms 1 kg/s comes in, in grains of 1.3 g, and nothing leaves. Of a domain without a way out nobody thinks it steady."""
+        early = FALL.replace("DURATION", "0.13 s").replace("0.4 s}", "0 s}")
+        told = [text for text in self.warned(early) if text.startswith("Balance")]
+        self.assertEqual(len(told), 1)
+        self.assertRegex(told[0], "^Balance: what is inside grows by (1|0.9[89][0-9]*|1.01) kg/s from 0 to 0.13 s, 100 % of what comes in")
+        head, rest = early.split("outlets:")
+        closed = head.replace(", open: delete", "") + "gauges:" + rest.split("gauges:")[1]
+        self.assertFalse([text for text in self.warned(closed) if text.startswith("Balance")])
 
     def check_balance(self, done, rows):
         balance, last = self.summary("out")["balance"], rows[-1]

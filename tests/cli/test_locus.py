@@ -118,6 +118,17 @@ class Locus(clod.Case):
                                  f"10.000 kPa has {angle} deg; it must be 1 to 80 deg. Spheres without friction have 6 deg, "
                                  f"and no solid is beyond 80 deg. Have {columns} been exchanged, or has one another unit?\n")
 
+    def test_a_preshear_point_far_below_its_line(self):
+        """tau = 2.5 kPa + sigma/2 by hand. In psi with kPa beside it, sigma_pre is 6.894757 times as large."""
+        head = "sigma_pre [{}],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n10,{},3,4\n10,{},5,5\n10,{},7,6\n"
+        done = self.locus("-", input=head.format("psi", 6.9, 6.9, 6.9), code=2)
+        self.assertEqual(done.stdout, "")
+        self.assertIn("standard input:2, 3, 4: the yield locus at a preshear stress of 68.948 kPa has tau_pre = 6.900 kPa, 0.187 of "
+                      "the 36.974 kPa that the line through its points has there; it must be 0.40 of it or more", done.stderr)
+        for tau_pre, told in ((6.9, False), (5.64, False), (5.61, True)):  # 0.75 of 7.5 kPa are 5.625 kPa
+            said = self.locus("-", "--csv", input=head.format("kPa", tau_pre, tau_pre, tau_pre)).stderr
+            self.assertEqual("lies far below the line (7.500 kPa there; steady flow has 0.75 of it or more)" in said, told)
+
     def test_names_of_columns(self):
         """Every name that the error tells is taken."""
         said = self.locus("-", input=HEAD.replace("tau_sh", "tua"), code=2).stderr
@@ -214,9 +225,21 @@ class Locus(clod.Case):
                            ("sigma_1 [kPa],f_c [kPa],rho_b [kg/m3]\n1,1,1000\n", "clod hopper reads it"),
                            ("Sigma_w [kPa],Tau_w [kPa]\n1,1\n", "did you mean sigma_w?")):
             self.assertIn(said, self.locus("-", input=text, code=2).stderr)
-        falling = "sigma_w [kPa],tau_w [kPa]\n1,1\n2,0.5\n"
-        self.assertIn("clod locus: The shear stress falls",
-                      self.locus("-", "--csv", input=falling).stderr)
+        for form in ([], ["--json"], ["--csv"]):  # atan(-0.5)
+            done = self.locus("-", *form, input="sigma_w [kPa],tau_w [kPa]\n1,1\n2,0.5\n", code=2)
+            self.assertEqual(done.stdout, "")
+            self.assertIn("clod locus: standard input: the wall yield locus falls: its line has phi_w = -26.6 deg.", done.stderr)
+        simulated = "sigma_w [kPa],tau_w [kPa],wall_stress [kPa]\n1,1,1\n2,0.5,2\n"
+        self.assertIn("clod locus: The shear stress falls", self.locus("-", "--csv", input=simulated).stderr)
+
+    def test_densities_over_the_preshear_stress(self):
+        """As laboratories print them: said with what to do, not taken for shear points without their columns."""
+        for head in ("sigma_pre [kPa],rho_b [kg/m3]", "rho [kg/m3],sigma_p [kPa]", "seed,sigma_pre [kPa],rho_b [kg/m3],rho_b_error [kg/m3]"):
+            said = self.locus("-", input=head + "\n" + ",".join("1" * len(head.split(","))) + "\n", code=2).stderr
+            self.assertIn("standard input: is a table of bulk densities over the preshear stress (sigma_pre, rho_b). A table of bulk "
+                          "densities needs sigma_1, the major principal stress of consolidation, in place of sigma_pre", said)
+            self.assertIn("which clod locus prints for its shear points", said)
+        self.assertIn("has no column sigma_sh", self.locus("-", input="sigma_pre [kPa],tau_sh [kPa],rho_b [kg/m3]\n1,1,1\n", code=2).stderr)
 
 
 class New(clod.Case):

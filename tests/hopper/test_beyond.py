@@ -68,6 +68,14 @@ class Beyond(hopper_case.Case):
         self.assertTrue(stress, said)
         self.assertAlmostEqual(float(stress[1]), 0.9e-3 * critical, delta=2e-3)
 
+    def test_a_slot_in_funnel_flow(self):
+        """f_c = 0.5 kPa + 0.2 sigma_1 meets sigma_1/1.7 at 1.2879 kPa, below 2; the wedge's own state is lower still."""
+        _, told = self.beyond()
+        self.assertTrue(self.mine(told, "Wedge", STRESSES)[0].endswith(f", and for a slot in funnel flow {0.5 / (1 / 1.7 - 0.2):.3f} kPa, {STRESSES}"),
+                        told)
+        _, told = self.beyond("--set", "wall_friction={angle: 60 deg}")
+        self.assertEqual(self.mine(told, "Wedge", STRESSES), [f"Wedge: for a slot in funnel flow sigma_1 is 1.288 kPa, {STRESSES}"])
+
     def test_ratholes(self):
         found, told = self.beyond("--set", "silo={diameter: 3 m, height: 8 m}")
         filling = found["rathole"]["filling_stress_Pa"]

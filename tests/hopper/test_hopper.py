@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import hopper_case
-from hopper_case import CASE, QUICK, clod
+from hopper_case import CASE, QUICK, ROWS, clod
 
 
 class Hopper(hopper_case.Case):
@@ -19,10 +19,13 @@ class Hopper(hopper_case.Case):
         self.assertEqual(sorted(os.listdir(self.folder)),
                          ["flow-function.csv", "hopper.yaml", "wall.csv"])
         told = self.hopper("hopper.yaml", "-o", "design").stdout
-        self.assertTrue(told.endswith("\nwrote design.json\nwrote design.svg\nwrote design.html\n"), told)
+        figures = [name for name in os.listdir(self.folder) if re.fullmatch("design-.*[.]svg", name)]
+        self.assertGreater(len(figures), 4)
+        wrote = "wrote NAME.json\nwrote NAME.svg\nwrote NAME.html\nwrote NAME-FIGURE.svg, the page's {} figures\n".format(len(figures))
+        self.assertTrue(told.endswith("\n" + wrote.replace("NAME", "design")), told)
         as_json = self.hopper("hopper.yaml", "-o", "again", "--json")
         json.loads(as_json.stdout)
-        self.assertEqual(as_json.stderr, "wrote again.json\nwrote again.svg\nwrote again.html\n")
+        self.assertEqual(as_json.stderr, wrote.replace("NAME", "again"))
         with open(self.path("design.json")) as file:
             found = json.load(file)
         self.assertEqual(found["cone"]["outcome"], "flows")
@@ -125,6 +128,28 @@ class Hopper(hopper_case.Case):
         self.assertEqual(next(root.iter("{http://www.w3.org/2000/svg}text")).text,
                          "Ore [1m<A> & B")
 
+    def drawn(self, *rows):
+        """Measured points that the chart has, and its words."""
+        self.start(rows="".join(rows))
+        self.hopper("case.yaml", "-o", "design")
+        root = xml.etree.ElementTree.parse(self.path("design.svg")).getroot()
+        marks = [node for node in root.iter("{http://www.w3.org/2000/svg}circle") if node.get("fill") == "#222222"]
+        return len(marks), " ".join(node.text for node in root.iter("{http://www.w3.org/2000/svg}text"))
+
+    def test_the_chart_has_the_measured_points_or_tells_of_them(self):
+        rows = ROWS.splitlines(keepends=True)
+        self.start()
+        critical = self.found()
+        near = max(3e-3 * max(critical[shape]["sigma_1_Pa"]["value"] for shape in ("cone", "wedge")), 4.0)
+        self.assertLess(near, 8.0)
+        self.assertGreater(2.0 * near, 8.0)  # to show 8 kPa less than doubles the axis
+        count, words = self.drawn(*rows)
+        self.assertEqual(count, 3)
+        self.assertNotIn("outside", words)
+        count, words = self.drawn(*rows, "40,10.9,0.3,45,39,1400\n")  # on the line through the first two
+        self.assertEqual(count, 3 if near > 8 else 2)
+        self.assertIn(f"{4 - count} of 4 measured points outside; measured up to 40 kPa", words)
+
     def test_smaller_outlets_arch_and_larger_do_not(self):
         self.start()
         critical = self.found()["cone"]["outlet_m"]["value"]
@@ -162,6 +187,30 @@ class Hopper(hopper_case.Case):
             self.assertRegex(file.read(), r"critical outlet of mass flow \[mm\]</th><td>none</td><td>none</td><td>none<")
         with open(self.path("rough.svg")) as file:
             self.assertIn("cone: funnel flow", file.read())
+
+    def test_a_slot_in_funnel_flow(self):
+        """f_c = 0.9 kPa + sigma_1/4 meets sigma_1/1.7 at 2.6609 kPa, f_c 1.5652; rho_b is 1266.5 there, between 1250 at 2 and
+        1300 at 4 kPa; 1.15 f_c/(rho g) = 144.93 mm. Errors of f_c alone: the width moves by those of f_c there over 1 - 1.7/4."""
+        self.start(CASE.replace("angle: 20 deg", "angle: 46 deg"))
+        told = self.hopper("case.yaml", "-o", "rough").stdout
+        cone, wedge = told.split("\nWedge, slot")
+        self.assertIn("otherwise only an outlet wider than the rathole empties.", " ".join(cone.split()))
+        self.assertIn("otherwise only a slot empties that is wider than the width in funnel flow, and whose diagonal is longer than "
+                      "the rathole's diameter.", " ".join(wedge.split()))
+        with open(self.path("rough.json")) as file:
+            found = json.load(file)["rathole"]["slot_width_m"]
+        stress = 900.0 / (1 / 1.7 - 0.25)
+        width = 1.15 * stress / 1.7 / ((1250.0 + 25.0 * (stress / 1e3 - 2.0)) * 9.80665)
+        self.assertAlmostEqual(found["value"], width, delta=1e-9)
+        self.assertTrue(0.9 * width < found["low"] < 0.98 * width and 1.02 * width < found["high"] < 1.1 * width, found)
+        row = re.search(r"  width of a slot in funnel flow +([0-9.]+) +([0-9.]+) +([0-9.]+)  mm\n", wedge)
+        self.assertEqual(row.groups(), tuple(f"{1e3 * found[key]:.1f}" for key in ("value", "low", "high")))
+        self.assertNotIn("width of a slot", cone)
+        self.assertNotIn("for a slot in funnel flow sigma_1", wedge)  # 2.66 kPa is between 2 and 8
+        with open(self.path("rough.html")) as file:
+            page = file.read()
+        self.assertIn(f"width of the slot to build, at least, if it stays funnel flow; its diagonal must be longer than the rathole&#39;s "
+                      f"diameter. As measured {1e3 * width:.1f}, within the errors", page.replace("rathole's", "rathole&#39;s"))
 
     def test_a_wedge_flatter_than_a_cone_may_be_is_not_called_mass_flow(self):
         """The field has a solution for 60 deg, far beyond any chart; headline, shares, warning, JSON and

@@ -26,6 +26,7 @@ class Page(page.Case):
             text = " ".join(file.read().partition("## 4. Read it")[2].split())
         cone, holes = found["cone"], found["rathole"]
         outlet, margin = cone["outlet_m"], cone["arching_margin"]
+        slot = [f"{1e3 * holes['slot_width_m'][end]:.0f}" for end in ("value", "low", "high")]
         points = [point["sigma_1_Pa"] for point in found["measured"]["flow_function"]]
         for told in (f"Its lower end, {cone['half_angle_deg']['low']:.1f} deg here",
                      f"**Critical outlet**: {1e3 * outlet['value']:.0f} mm, and with the errors of these "
@@ -35,6 +36,7 @@ class Page(page.Case):
                      f"95 % of the samples; it flows in {100 * (1 - cone['planned_outlet_arching_share']):.1f} % of them.",
                      f"It empties only down to a hole of {holes['emptying_m']['value']:.1f} to "
                      f"{holes['filling_m']['value']:.0f} m.",
+                     f"`width of a slot in funnel flow` of the wedge block, {slot[0]} mm here ({slot[1]} to {slot[2]})",
                      f"the critical states lie at {cone['sigma_1_Pa']['value'] / 1e3:.1f} kPa, the smallest test at "
                      f"{min(points) / 1e3:.1f} kPa"):
             self.assertIn(told, text)

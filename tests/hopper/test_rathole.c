@@ -72,6 +72,50 @@ static void a_smooth_wall_carries_nothing(void **state)
                    1e-12);
 }
 
+/** Time flow function of silo_design's iron concentrate (docs/theory/hopper.md): f_c = 0.8 + 0.22 sigma_1 kPa, rho_b 2400;
+ *  sigma_1 = 0.8/(1/1.7 - 0.22) = 2.172524, f_c = sigma_1/1.7 = 1.277955 kPa, b = 1.15 x 1277.955/(2400 x 9.80665). */
+static void slot_by_hand(void **state)
+{
+    (void)state;
+    static made of;
+    make_solid(&of, 50.0, 20.0, 2400.0);
+    add_strength(&of, 2.0, 1.24);
+    add_strength(&of, 10.0, 3.0);
+    const clod_rathole_slot slot = clod_rathole_slot_of(&of.solid);
+    check_relative(slot.width, 1.15 * 1277.955 / (2400.0 * 9.80665), 1e-6);
+    check_relative(slot.state.sigma_1, 2172.524, 1e-6);
+}
+
+/** f_c below sigma_1/1.7 everywhere, and above it. */
+static void slots_without_a_state(void **state)
+{
+    (void)state;
+    static made low, high;
+    make_solid(&low, 45.0, 20.0, 1500.0);
+    add_strength(&low, 2.0, 1.1);
+    add_strength(&low, 10.0, 5.5);
+    check_close(clod_rathole_slot_of(&low.solid).width, 0.0, 0.0);
+    make_solid(&high, 45.0, 20.0, 1500.0);
+    add_strength(&high, 2.0, 1.4);
+    add_strength(&high, 10.0, 6.2);
+    assert_true(isinf(clod_rathole_slot_of(&high.solid).width));
+}
+
+/** Straight from point to point it meets 1/1.7 three times, 2.0, 3.4 and 8.5 kPa: the widest counts. */
+static void of_several_widths_the_largest(void **state)
+{
+    (void)state;
+    static made of;
+    make_solid(&of, 45.0, 20.0, 1500.0);
+    add_strength(&of, 1.0, 1.0);
+    add_strength(&of, 3.0, 3.0 / 1.7 - 0.1);
+    add_strength(&of, 3.8, 3.8 / 1.7 + 0.1);
+    add_strength(&of, 8.5, 5.0);
+    add_strength(&of, 10.0, 5.2);
+    check_relative(clod_rathole_slot_of(&of.solid).width, 1.15 * 5000.0 / (1500.0 * 9.80665),
+                   1e-9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -80,6 +124,9 @@ int main(void)
         cmocka_unit_test(emptying_by_hand),
         cmocka_unit_test(filling_by_hand),
         cmocka_unit_test(a_smooth_wall_carries_nothing),
+        cmocka_unit_test(slot_by_hand),
+        cmocka_unit_test(slots_without_a_state),
+        cmocka_unit_test(of_several_widths_the_largest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -97,6 +97,27 @@ class Refusals(hopper_case.Case):
             self.refuse(tests, words)
             self.assertNotIn("neither the key", self.hopper("case.yaml", code=2).stderr)
 
+    def test_preshear_in_another_unit(self):
+        """tau = 0.7 kPa + 0.75 sigma has 3.7 kPa at 4 kPa; at 4 psi, 27.579 kPa, 21.384 kPa. Of a run it is a warning."""
+        head = "sigma_pre [{}],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        rows = "".join(f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 2.0, 3.0))
+        other = head.format("kPa") + "".join(f"8,6.4,{s},{1.0 + 0.73 * s},1330\n" for s in (2.0, 4.0, 6.0))
+        case = "flow_function: {shear_tests: [{points: other.csv}, {points: LAB}]}\nwall_friction: {angle: 18 deg}\n"
+        self.write("other.csv", other)
+        self.write("lab.csv", head.format("psi") + rows)
+        self.refuse(case.replace("LAB", "lab.csv"),
+                    ["lab.csv:2, 3, 4: the yield locus at a preshear stress of 27.579 kPa has tau_pre = 3.400 kPa, 0.159 of the 21.384 kPa"])
+        self.write("lab.csv", head.format("kPa") + rows.replace("4,3.4", "4,2.6"))  # 0.70 of it, 0.9 cos(36.87 deg) are 0.72
+        self.start(case.replace("LAB", "lab.csv"))
+        self.assertTrue([text for text in self.found()["warnings"] if text.startswith(
+            "Yield locus at a preshear stress of 4.000 kPa: The preshear point (4.000, 2.600) kPa lies far below the line (3.700 kPa there; "
+            "steady flow has 0.72 of it or more)")])
+        os.mkdir(self.path("run"))
+        self.write("run/.clod-lock", "")
+        self.write("run/points.csv", head.format("kPa") + rows.replace("4,3.4", "4,1.4"))  # 0.38 of it
+        self.start(case.replace("LAB", "run"))
+        self.assertTrue([text for text in self.found()["warnings"] if "lies far below the line (3.700 kPa there" in text])
+
     def test_shear_stresses_in_another_unit(self):
         """Of a results folder and a file, the second has tau_sh in Pa with kPa above it: by hand atan(0.00073)."""
         head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [{}],rho_b [kg/m3]\n"
@@ -200,6 +221,11 @@ class Refusals(hopper_case.Case):
             self.assertIn(f"{table}.csv: is a table of {what}; {key}.file takes ", done.stderr)
         done = self.hopper("case.yaml", "--set", "flow_function={shear_tests: [{points: wall.csv}]}", code=2)
         self.assertIn(f"wall.csv: is a table of {wall}; flow_function.shear_tests takes shear points", done.stderr)
+
+        self.write("density.csv", "sigma_pre [kPa],rho_b [kg/m3]\n3,1200\n12,1300\n")
+        done = self.hopper("case.yaml", "--set", "bulk_density={file: density.csv}", code=2)
+        self.assertIn("density.csv: is a table of bulk densities over the preshear stress (sigma_pre, rho_b). A table of bulk densities needs "
+                      "sigma_1", done.stderr)
 
     def test_the_command_line(self):
         self.assertIn("which case?", self.hopper(code=2).stderr)

@@ -63,6 +63,8 @@ class FreePage(pages.PageCase):
             "Gauge chute gave alarm of blocking 2 times, the first from 1.18 s on, and is blocked at the end, since 3.2 s.",
             "Gauge head gave alarm of blocking 1 time from 2.5 s on.",
             "6 grains were spilled: 0.25 kg, 0.62 % of what came in."])
+        doubt = "Balance: what is inside grows by 1 kg/s & more."
+        self.assertEqual(self.plugged(warnings=[doubt], inlets=[], gauges={}, balance={}).items, [doubt])
         self.assertLess(page.text.index('id="warnings"'), page.text.index('class="cards"'))
         # in, out, inside and lost in place of what a bed at rest has
         cards = re.findall(r'<div class="card"><b>([^<]*)</b><span>([^<]*)</span>', page.text)

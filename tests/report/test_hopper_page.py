@@ -184,7 +184,9 @@ class HopperPage(clod.Case):
             self.assertNotIn("measured", [curve["name"] for curve in page.figures[name]["curves"]])
         page, found = self.design("case.yaml", "--set", "wall_friction.angle=60 deg", "--set", "wedge.half_angle=auto")
         self.assertEqual(found["cone"]["outcome"], "funnel_flow")
-        self.assertEqual([caption for *_, caption in pages.cards(page.text) if "to build" in caption], [])
+        slot, = [card for card in pages.cards(page.text) if "to build" in card[3]]  # no other outlet, no half angle
+        self.assertEqual((float(slot[0]), slot[2]), (found["rathole"]["slot_width_m"]["high"], "mm"))
+        self.assertTrue(slot[3].startswith("width of the slot to build, at least, if it stays funnel flow"), slot)
         self.assertIn("Funnel flow: the solid does not slide along this wall.", page.text)
         self.assertIn("Why: where sigma_1 is 8.000 kPa, phi_e 46.0 deg, and the solid slides at no half angle.", page.text)
         said = [row[1] for row in page.tables[-1] if row[0] == "said in place of the case's value"]
