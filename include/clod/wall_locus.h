@@ -22,6 +22,7 @@ typedef struct clod_wall_locus_point {
     double tau_error;   ///< standard error of tau
     double wall_stress; ///< the wall normal stress that was asked for; 0: not stated
     bool unsteady;      ///< the shear stress still changed where tau was taken
+    bool of_angle; ///< tau is that of an angle phi_x, which was measured or told in its place
 } clod_wall_locus_point;
 
 /** A point with what follows from it. */

@@ -104,14 +104,16 @@ clod_measured_stress clod_measured_stress_of(const char *text, size_t length)
     if (has_any(header, SHEAR)) {
         return CLOD_MEASURED_OF_SHEAR;
     }
-    return clod_measured_header_has(header, "sigma_1") ? CLOD_MEASURED_OF_SIGMA_1
-                                                       : CLOD_MEASURED_OF_NONE;
+    return clod_measured_header_has(header, "sigma_1")           ? CLOD_MEASURED_OF_SIGMA_1
+           : clod_measured_header_has(header, "angle_of_repose") ? CLOD_MEASURED_OF_REPOSE
+                                                                 : CLOD_MEASURED_OF_NONE;
 }
 
 const char *const CLOD_MEASURED_STRESS_NAMES[] = {
     [CLOD_MEASURED_OF_SHEAR] = "shear points (sigma_pre, tau_pre, sigma_sh, tau_sh)",
     [CLOD_MEASURED_OF_WALL] = "wall friction (sigma_w, tau_w)",
     [CLOD_MEASURED_OF_SIGMA_1] = "a flow function or bulk densities (sigma_1)",
+    [CLOD_MEASURED_OF_REPOSE] = "angles of repose (angle_of_repose)",
     [CLOD_MEASURED_OF_PRESHEAR] = "bulk densities over the preshear stress (sigma_pre, rho_b)"};
 
 bool clod_measured_header_check(const char *path, clod_measured_stress found,

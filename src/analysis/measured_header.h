@@ -15,6 +15,7 @@ typedef enum clod_measured_stress {
     CLOD_MEASURED_OF_SHEAR,   ///< normal and shear stress of shear points
     CLOD_MEASURED_OF_WALL,    ///< those at a wall
     CLOD_MEASURED_OF_SIGMA_1, ///< the major principal one, as a flow function and bulk densities
+    CLOD_MEASURED_OF_REPOSE,  ///< none, but angles of repose
     CLOD_MEASURED_OF_PRESHEAR, ///< the normal one of preshear with bulk densities, and no shear stress: nothing reads it
 } clod_measured_stress;
 

@@ -208,6 +208,7 @@ static void look_at_simulated_angle(clod_wall_locus *self, const point *end)
 static void look_at_angle(clod_wall_locus *self, const point *end)
 {
     const double angle = self->phi_w.value;
+    const bool of_angle = end->of_angle;
     if (is_simulated(self)) {
         look_at_simulated_angle(self, end);
     } else if (angle < 0.0) {
@@ -215,16 +216,21 @@ static void look_at_angle(clod_wall_locus *self, const point *end)
                    "a negative angle. Look at the points: their columns, their units, whether "
                    "shear was steady.");
     } else if (angle > STEEP && end->tau > end->sigma) {
-        warn(self,
-             "phi_w = %.1f deg, and the shear stress is above the normal stress even at the "
-             "largest: no wall is as rough. Have the columns sigma_w and tau_w been exchanged, "
-             "or has one another unit?",
-             angle / M_PI * 180.0);
+        warn(
+            self,
+            "phi_w = %.1f deg, and the shear stress is above the normal stress even at the "
+            "largest: no wall is as rough. %s",
+            angle / M_PI * 180.0,
+            of_angle
+                ? "Has phi_x another unit, or is it the angle of something else?"
+                : "Have the columns sigma_w and tau_w been exchanged, or has one another unit?");
     } else if (angle < FLAT && end->tau < tan(FLAT) * end->sigma) {
-        warn(self,
-             "phi_w = %.2g deg: no wall is as smooth. Has the column sigma_w or tau_w another "
-             "unit, or does a single layer of grains roll on the plate?",
-             angle / M_PI * 180.0);
+        warn(
+            self,
+            "phi_w = %.2g deg: no wall is as smooth. Has %s, or does a single layer of grains roll on the plate?",
+            angle / M_PI * 180.0,
+            of_angle ? "phi_x another unit, rad under a header in deg for instance"
+                     : "the column sigma_w or tau_w another unit");
     }
 }
 

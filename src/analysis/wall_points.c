@@ -119,6 +119,7 @@ static const clod_csv_kind POINTS_OF_ANGLES = {
 static void take_angle(const row *from, clod_wall_locus_point *to)
 {
     const double tangent = tan(from->phi_x);
+    to->of_angle = true;
     to->tau = to->sigma * tangent;
     to->tau_error = to->sigma * (1.0 + tangent * tangent) * from->phi_x_error;
 }

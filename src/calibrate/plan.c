@@ -36,13 +36,35 @@ double clod_plan_number(const clod_plan_parameter *self, double place)
     return self->low + place * (self->high - self->low);
 }
 
+/** Whether settings replace a key of the plan. */
+static bool is_set(const char *const *overrides, size_t count, const char *key)
+{
+    const size_t length = strlen(key);
+    bool found = false;
+    for (size_t i = 0; i < count; i++) {
+        found =
+            found || (strncmp(overrides[i], key, length) == 0 && overrides[i][length] == '=');
+    }
+    return found;
+}
+
+/** A budget or points by a setting take the place of the other one in the file. */
+static void replace_amount(const clod_loader *loader, size_t overrides, clod_plan *self)
+{
+    const bool points = is_set(loader->report->overrides, overrides, "points");
+    const bool budget = is_set(loader->report->overrides, overrides, "budget");
+    self->budget = points && !budget ? 0.0 : self->budget;
+    self->points = budget && !points ? 0 : self->points;
+}
+
 /** Tree -> struct -> checks. */
-static void build(clod_loader *loader, clod_plan *self)
+static void build(clod_loader *loader, size_t overrides, clod_plan *self)
 {
     if (!clod_file_kind_check(loader, CLOD_FILE_PLAN)) {
         return;
     }
     clod_load_section(loader, &CLOD_TABLE_PLAN, loader->root, loader->root->place, self);
+    replace_amount(loader, overrides, self);
     if (!loader->report->lost && loader->report->count == 0) {
         clod_plan_check(loader, self);
     }
@@ -80,7 +102,7 @@ static bool read_text(const clod_report *of, size_t overrides, clod_plan *self,
         for (size_t i = 0; i < overrides; i++) {
             clod_override_apply(&loader, i);
         }
-        build(&loader, self);
+        build(&loader, overrides, self);
     } else if (report.count == 0) {
         const clod_place start = {.line = 1, .column = 1, .width = 1};
         clod_report_add(&report, start, "", "is empty; clod new calibrate writes an example");

@@ -37,30 +37,15 @@ void clod_plan_check_conflicts(clod_loader *loader, clod_plan *self);
 /** Standard deviation of a target for its numbers beside others of its test: error and discrepancy (plan_conflicts.c). */
 double clod_plan_conflicts_error(const clod_plan_target *self);
 
-/** Those of each shear test (plan_conflicts_shear.c). */
-void clod_plan_conflicts_shear(clod_loader *loader, clod_plan *self);
-
-/** A strength of a shear test that is too large for its other targets (plan_conflicts_locus.c). */
-void clod_plan_conflicts_locus(clod_loader *loader, const clod_plan *self, size_t test);
-
-/** Targets of a shear test of which one follows from the others, as sigma_2 from sigma_1 and phi_e: one complaint at
- *  most, or one warning of those that are held back (plan_conflicts_identities.c).   Test  tests/calibrate/test_plan_conflicts_identities.c */
-void clod_plan_conflicts_identities(clod_loader *loader, clod_plan *self, size_t test);
-
-/** The first target of a test with this number, none that goes along a table over sigma_1; NULL: there is none
- *  (plan_conflicts_shear.c). */
-const clod_plan_target *clod_plan_conflicts_target(const clod_plan *self, size_t test,
-                                                   const char *number);
+/** Numbers of one shear test that no solid has together: one complaint at most, or one warning of those that are held back
+ *  (plan_conflicts_shear.c).   Test  tests/calibrate/test_plan_conflicts_shear.c */
+void clod_plan_conflicts_shear(clod_loader *loader, clod_plan *self, size_t test);
 
 /** Those of one wall friction test (plan_conflicts_wall.c).   Test  tests/calibrate/test_plan_conflicts_wall.c */
 void clod_plan_conflicts_wall(clod_loader *loader, const clod_plan *self);
 
-/** Stresses far beyond those of their test (plan_conflicts_unit.c).   Test  tests/calibrate/test_plan_conflicts_unit.c */
-void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self);
-
-/** How many times its preshear stress a solid with an angle of steady flow up to phi_sf [rad] has at most of c, sigma_c or
- *  sigma_1; HUGE_VAL: of another number (plan_conflicts_unit.c). */
-double clod_plan_most_stress(const char *number, double phi_sf);
+/** Values of one test far beyond its stresses (plan_conflicts_unit.c).   Test  tests/calibrate/test_plan_conflicts_unit.c */
+void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self, size_t test);
 
 /** Density of the grains of a test, no free run, where all parameters are at the lower (place 0) or upper (1) ends of their ranges
  *  [kg/m3]; NAN: not known, as without memory (plan_conflicts.c). */

@@ -1,228 +1,23 @@
 /**
  * @file plan_conflicts_shear.c
- * Targets of one shear test that cannot be true together.
+ * Targets of one shear test that no solid has together, and shear stresses that fall.
  */
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "analysis/angles.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "calibrate/nearest_solid.h"
 #include "calibrate/number.h"
 #include "calibrate/plan_check.h"
 #include "calibrate/test_kinds.h"
 
 #define FIRM CLOD_PLAN_FIRM_ERRORS
-
-const clod_plan_target *clod_plan_conflicts_target(const clod_plan *self, size_t test,
-                                                   const char *number)
-{
-    for (size_t k = 0; k < self->target_count; k++) {
-        const clod_plan_target *one = &self->targets[k];
-        if (one->test == test && one->curve == NULL && strcmp(one->number, number) == 0) {
-            return one;
-        }
-    }
-    return NULL;
-}
-
-/** Two numbers of a shear test of which one is at least so many times the other. */
-typedef struct order {
-    const char *less, *more;
-    double times;
-    const char *why;
-} order;
-
-// The steady circle goes through preshear and touches the yield locus; phi_e is the steepest line through the
-// origin that meets it, and touches it too.
-static const order ORDERS[] = {
-    {"phi_lin", "phi_e", 1.0, "which no yield locus with a cohesion of 0 or more can have"},
-    {"phi_sf", "phi_e", 1.0,
-     "which is the steepest line through the origin that meets the circle of steady flow"},
-    {"c", "sigma_c", 2.0,
-     "and sigma_c = 2 c cos(phi_lin)/(1 - sin(phi_lin)) is not below 2 c at any angle"},
-    {"c", "sigma_1", 2.0,
-     "and sigma_1 is not below sigma_c, nor that below 2 c, unless steady flow reaches into tension"},
-    {"sigma_2", "sigma_1", 1.0, "the major principal stress"},
-    {"sigma_c", "sigma_1", 1.0,
-     "and a straight yield locus has a sigma_c of at most sigma_1 - sigma_2, unless steady flow reaches into tension"},
-};
-
-static void check_order(clod_loader *loader, const clod_plan *self, size_t test,
-                        const order *of)
-{
-    const clod_plan_target *less = clod_plan_conflicts_target(self, test, of->less);
-    const clod_plan_target *more = clod_plan_conflicts_target(self, test, of->more);
-    if (less == NULL || more == NULL ||
-        of->times * less->value - more->value <=
-            FIRM * hypot(of->times * clod_plan_conflicts_error(less),
-                         clod_plan_conflicts_error(more))) {
-        return;
-    }
-    const clod_plan_measure *unit = &more->measure;
-    clod_check_fail(
-        loader, "targets",
-        "test %s: %s %.*f %s in targets.%zu is below %s%s %.*f %s in targets.%zu, %s; are "
-        "they interchanged, or of different consolidations?",
-        self->tests[test].name, of->more, unit->digits, unit->factor * more->value, unit->unit,
-        more->entry, of->times > 1.0 ? "twice the " : "", of->less, unit->digits,
-        unit->factor * less->value, unit->unit, less->entry, of->why);
-}
-
-/** sigma_2 and sigma_1 are the ends of a circle through preshear. */
-static void check_ends(clod_loader *loader, const clod_plan *self, size_t test, double stress)
-{
-    const clod_plan_target *major = clod_plan_conflicts_target(self, test, "sigma_1");
-    if (major != NULL && stress - major->value > FIRM * clod_plan_conflicts_error(major)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: sigma_1 %.4g kPa in targets.%zu is below the preshear stress of the case, "
-            "%.4g kPa: no circle through preshear ends there; give the sigma_1 of that "
-            "consolidation, or the test its preshear stress",
-            self->tests[test].name, 1e-3 * major->value, major->entry, 1e-3 * stress);
-    }
-    const clod_plan_target *minor = clod_plan_conflicts_target(self, test, "sigma_2");
-    if (minor != NULL && minor->value - stress > FIRM * clod_plan_conflicts_error(minor)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: sigma_2 %.4g kPa in targets.%zu is above the preshear stress of the case, "
-            "%.4g kPa: no circle through preshear begins there; give the sigma_2 of that "
-            "consolidation, or the test its preshear stress",
-            self->tests[test].name, 1e-3 * minor->value, minor->entry, 1e-3 * stress);
-    }
-}
-
-/** The slope of steady flow, phi_sf: a target, or what a target tau_p says of it. */
-typedef struct steady {
-    double angle, error; ///< rad
-    const clod_plan_target *from;
-    char words[96]; ///< "tau_p 37.4 kPa in targets.0"
-} steady;
-
-/** tan(phi_sf) is tau_p over the stress of preshear. False: there is no such target. */
-static bool find_steady(const clod_plan *self, size_t test, const char *number, double stress,
-                        steady *to)
-{
-    const clod_plan_target *from = clod_plan_conflicts_target(self, test, number);
-    if (from == NULL) {
-        return false;
-    }
-    *to = (steady){from->value, clod_plan_conflicts_error(from), from, ""};
-    if (strcmp(number, "tau_p") == 0) {
-        to->angle = atan2(from->value, stress);
-        to->error = clod_plan_conflicts_error(from) * stress /
-                    (stress * stress + from->value * from->value);
-    }
-    snprintf(to->words, sizeof to->words, "%s %.4g %s in targets.%zu", number,
-             from->measure.factor * from->value, from->measure.unit, from->entry);
-    return true;
-}
-
-/** A tau_p has the limits of its phi_sf, which is not above phi_e. */
-static void check_tau_p(clod_loader *loader, const clod_plan *self, size_t test, double stress)
-{
-    steady of;
-    if (!find_steady(self, test, "tau_p", stress, &of)) {
-        return;
-    }
-    const double degrees = of.angle / CLOD_NUMBER_DEGREE;
-    if (!(degrees >= CLOD_ANGLES_LEAST && degrees <= CLOD_ANGLES_MOST)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: %s is a phi_sf of %.1f deg at the preshear stress of the case, %.4g kPa; it must be %.0f to "
-            "%.0f deg: check its unit, or give the test the preshear stress of that tau_p",
-            self->tests[test].name, of.words, degrees, 1e-3 * stress, CLOD_ANGLES_LEAST,
-            CLOD_ANGLES_MOST);
-    }
-    const clod_plan_target *angle = clod_plan_conflicts_target(self, test, "phi_e");
-    if (angle != NULL &&
-        of.angle - angle->value > FIRM * hypot(of.error, clod_plan_conflicts_error(angle))) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: phi_e %.1f deg in targets.%zu is below phi_sf %.1f deg, which %s is at the preshear stress of "
-            "the case, %.4g kPa; phi_e is the steepest line through the origin that meets the circle of steady flow",
-            self->tests[test].name, angle->measure.factor * angle->value, angle->entry, degrees,
-            of.words, 1e-3 * stress);
-    }
-}
-
-/**
- * The circle of steady flow goes through preshear, on the side of sigma_1 from where it touches the yield locus, and ends
- * at sigma_2 >= 0. Its radius is then at most that of the circle from the origin, sp/(2 cos(phi_sf)^2), and a line that
- * touches it and does not fall has at most the radius as its cohesion.
- */
-static void check_most_cohesion(clod_loader *loader, const clod_plan *self, size_t test,
-                                const char *number, double stress)
-{
-    steady of;
-    const clod_plan_target *cohesion = clod_plan_conflicts_target(self, test, "c");
-    if (cohesion == NULL || !find_steady(self, test, number, stress, &of)) {
-        return;
-    }
-    const double t = tan(of.angle);
-    const double most = 0.5 * stress * (1.0 + t * t);
-    const double error = stress * t * (1.0 + t * t) * of.error;
-    if (cohesion->value - most > FIRM * hypot(clod_plan_conflicts_error(cohesion), error)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: c %.4g kPa in targets.%zu is too large for %s: with the preshear stress of the case, %.4g kPa, "
-            "steady flow that does not reach into tension has a c of at most %.4g kPa; correct or leave out one of "
-            "them",
-            self->tests[test].name, 1e-3 * cohesion->value, cohesion->entry, of.words,
-            1e-3 * stress, 1e-3 * most);
-    }
-}
-
-/**
- * sigma_1 grows with the circle of steady flow through preshear: it is least where sigma_2 is 0, sp/cos(phi_sf)^2, and
- * most where the cohesion is, sp/(1 - sin(phi_sf)).
- */
-static void check_major(clod_loader *loader, const clod_plan *self, size_t test,
-                        const char *number, double stress)
-{
-    steady of;
-    const clod_plan_target *major = clod_plan_conflicts_target(self, test, "sigma_1");
-    if (major == NULL || !find_steady(self, test, number, stress, &of)) {
-        return;
-    }
-    const double s = sin(of.angle), c = cos(of.angle);
-    const double least = stress / (c * c), most = stress / (1.0 - s);
-    const double least_error = 2.0 * least * s / c * of.error; // derivatives over the angle
-    const double most_error = most * c / (1.0 - s) * of.error;
-    if (least - major->value > FIRM * hypot(clod_plan_conflicts_error(major), least_error) ||
-        major->value - most > FIRM * hypot(clod_plan_conflicts_error(major), most_error)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: sigma_1 %.4g kPa in targets.%zu does not go with %s: at the preshear stress of the case, %.4g kPa, "
-            "circles of steady flow with a cohesion and a sigma_2 of 0 or more have %.4g to %.4g kPa; check units, or "
-            "correct or leave out one of them",
-            self->tests[test].name, 1e-3 * major->value, major->entry, of.words, 1e-3 * stress,
-            1e-3 * least, 1e-3 * most);
-    }
-}
-
-/** What goes with the stress of preshear. */
-static void check_preshear(clod_loader *loader, const clod_plan *self, size_t test)
-{
-    const double stress = clod_case_shear(self->tests[test].middle)->preshear_stress;
-    steady angle, shear;
-    check_ends(loader, self, test, stress);
-    check_tau_p(loader, self, test, stress);
-    check_most_cohesion(loader, self, test, "tau_p", stress);
-    check_most_cohesion(loader, self, test, "phi_sf", stress);
-    check_major(loader, self, test, "tau_p", stress);
-    check_major(loader, self, test, "phi_sf", stress);
-    if (find_steady(self, test, "phi_sf", stress, &angle) &&
-        find_steady(self, test, "tau_p", stress, &shear) &&
-        fabs(shear.angle - angle.angle) > FIRM * hypot(angle.error, shear.error)) {
-        clod_check_fail(
-            loader, "targets",
-            "test %s: phi_sf %.1f deg in targets.%zu is not that of %s "
-            "at the preshear stress of the case, %.4g kPa: %.1f deg; they contradict each other",
-            self->tests[test].name, angle.angle / CLOD_NUMBER_DEGREE, angle.from->entry,
-            shear.words, 1e-3 * stress, shear.angle / CLOD_NUMBER_DEGREE);
-    }
-}
+#define NAME 48 ///< bytes of a number's name
+#define NAMED                                                                                  \
+    0.5 ///< of the largest difference, in errors: what is nearer to the nearest solid is not named
 
 // ---- points of the line
 
@@ -255,21 +50,278 @@ static void check_points(clod_loader *loader, const clod_plan *self, size_t test
     }
 }
 
-void clod_plan_conflicts_shear(clod_loader *loader, clod_plan *self)
+// ---- numbers of a test
+
+/** Numbers of one test, and their targets. */
+typedef struct numbers {
+    const char *test;
+    double preshear;
+    const clod_plan_target **of; ///< [count] owned, with room for all targets
+    clod_nearest_number *items;  ///< [count] likewise
+    size_t count;
+} numbers;
+
+static bool init(numbers *self, const clod_plan *plan, size_t test)
 {
-    for (size_t t = 0; t < self->test_count; t++) {
-        if (clod_test_kinds_of(self->tests[t].middle)->numbers != CLOD_NUMBERS_SHEAR) {
-            continue;
-        }
-        const size_t before = loader->report->count;
-        for (size_t k = 0; k < sizeof ORDERS / sizeof ORDERS[0]; k++) {
-            check_order(loader, self, t, &ORDERS[k]);
-        }
-        check_preshear(loader, self, t);
-        check_points(loader, self, t);
-        clod_plan_conflicts_locus(loader, self, t);
-        if (loader->report->count == before) { // else it would say the same again
-            clod_plan_conflicts_identities(loader, self, t);
+    *self = (numbers){plan->tests[test].name,
+                      clod_case_shear(plan->tests[test].middle)->preshear_stress,
+                      clod_memory_alloc(plan->target_count, sizeof(const clod_plan_target *)),
+                      clod_memory_alloc(plan->target_count, sizeof(clod_nearest_number)), 0};
+    return self->of != NULL && self->items != NULL;
+}
+
+static void fini(numbers *self)
+{
+    clod_memory_free(self->of);
+    clod_memory_free(self->items);
+}
+
+/** Whether a number is there already: what is there twice is looked at elsewhere, since specimens differ. */
+static bool has(const numbers *self, const clod_plan_target *target)
+{
+    bool found = false;
+    for (size_t k = 0; k < self->count; k++) {
+        found = found || strcmp(self->of[k]->name, target->name) == 0;
+    }
+    return found;
+}
+
+static void append(numbers *self, const clod_plan_target *target)
+{
+    self->of[self->count] = target;
+    self->items[self->count++] =
+        (clod_nearest_number){target->number, target->normal_stress, target->value,
+                              clod_plan_conflicts_error(target), 0.0};
+}
+
+/** Those of the yield locus that a test has; none that goes along a table over sigma_1, and none of the points of a table,
+ *  which may bend and whose line is compared elsewhere (plan_loci.c). */
+static void collect(numbers *self, const clod_plan *plan, size_t test, bool held_back)
+{
+    self->count = 0;
+    for (size_t k = 0; k < plan->target_count; k++) {
+        const clod_plan_target *one = &plan->targets[k];
+        const bool tau = strcmp(one->number, "tau") == 0;
+        if (one->test == test && one->curve == NULL && clod_nearest_has(one->number) &&
+            (!tau || is_point(plan, test, one)) && (held_back || !one->held_back) &&
+            !has(self, one)) {
+            append(self, one);
         }
     }
+}
+
+/** Those of another list but for one of them (count: none), or its points of the line alone. */
+static void take(numbers *self, const numbers *from, size_t without, bool points)
+{
+    self->count = 0;
+    for (size_t k = 0; k < from->count; k++) {
+        if (k != without && (!points || strcmp(from->of[k]->number, "tau") == 0)) {
+            append(self, from->of[k]);
+        }
+    }
+}
+
+// ---- what no solid has
+
+/** How far numbers are from the nearest solid: beyond what their points alone are, which bend on curved loci. */
+typedef struct distance {
+    double chi_square, freedom;
+    bool far;
+} distance;
+
+/** @param room  has room for the points */
+static distance measure(numbers *self, numbers *room)
+{
+    take(room, self, self->count, true);
+    const clod_nearest all = clod_nearest_fit(self->preshear, self->items, self->count);
+    const clod_nearest points = clod_nearest_fit(room->preshear, room->items, room->count);
+    distance made = {all.chi_square - points.chi_square,
+                     fmax(all.freedom - points.freedom, 1.0), false};
+    made.far = made.chi_square > clod_nearest_limit(made.freedom);
+    return made;
+}
+
+/** How far a number is from the nearest solid, in errors. */
+static double errors_of(const numbers *self, size_t k)
+{
+    const clod_nearest_number *one = &self->items[k];
+    return fabs(one->value - one->nearest) / one->error;
+}
+
+/** Put the number that is farthest from the nearest solid first, and so on. */
+static void sort(numbers *self)
+{
+    for (size_t n = 0; n < self->count; n++) {
+        size_t next = n;
+        for (size_t k = n + 1; k < self->count; k++) {
+            next = errors_of(self, k) > errors_of(self, next) ? k : next;
+        }
+        const clod_plan_target *of = self->of[n];
+        const clod_nearest_number item = self->items[n];
+        self->of[n] = self->of[next];
+        self->items[n] = self->items[next];
+        self->of[next] = of;
+        self->items[next] = item;
+    }
+}
+
+/** "tau at 27.4 kPa" */
+static const char *name_of(const numbers *self, size_t k, char text[NAME])
+{
+    const clod_plan_target *one = self->of[k];
+    const int length = snprintf(text, NAME, "%.16s", one->number);
+    if (one->normal_stress > 0.0) {
+        snprintf(text + length, NAME - (size_t)length, " at %.4g kPa",
+                 1e-3 * one->normal_stress);
+    }
+    return text;
+}
+
+/** "ffc 3 in targets.0 (nearest 3.8, 8.0 errors away)" */
+static void describe(const numbers *self, size_t k, char *text, size_t size)
+{
+    const clod_plan_target *one = self->of[k];
+    const clod_plan_measure *unit = &one->measure;
+    char name[NAME];
+    snprintf(text, size, "%s %.4g%s%s in targets.%zu (nearest %.4g, %.1f errors away)",
+             name_of(self, k, name), unit->factor * one->value,
+             unit->unit[0] != '\0' ? " " : "", unit->unit, one->entry,
+             unit->factor * self->items[k].nearest, errors_of(self, k));
+}
+
+/** Those that are farthest, two at least. */
+static void list_farthest(const numbers *self, char *text, size_t size)
+{
+    clod_text_names names = clod_text_names_begin(text, size);
+    for (size_t k = 0; k < self->count; k++) {
+        char one[160];
+        if (k < 2 || errors_of(self, k) > NAMED * errors_of(self, 0)) {
+            describe(self, k, one, sizeof one);
+            clod_text_names_add(&names, one);
+        }
+    }
+    clod_text_names_end(&names);
+}
+
+/** What may be wrong: the numbers without any one of which the others go together, if these are not all of them. */
+static void list_wrong(const numbers *self, numbers *without, numbers *room, char *text,
+                       size_t size)
+{
+    char list[200], name[NAME];
+    clod_text_names names = clod_text_names_begin(list, sizeof list);
+    size_t found = 0;
+    for (size_t k = 0; k < self->count; k++) {
+        take(without, self, k, false);
+        if (!measure(without, room).far) {
+            clod_text_names_add(&names, name_of(self, k, name));
+            found++;
+        }
+    }
+    clod_text_names_end(&names);
+    snprintf(text, size, "%s%s",
+             found == 0             ? "Correct or leave out some of them"
+             : found == self->count ? "Correct or leave out one of them"
+                                    : "The others go together without one of these, so correct "
+                                      "or leave out one of them: ",
+             found == self->count ? "" : list);
+}
+
+/** What to do about c and phi_lin, which belong to one line, where both are there: a curved locus has many lines. */
+static const char *of_line(const numbers *self)
+{
+    size_t found = 0;
+    for (size_t k = 0; k < self->count; k++) {
+        const char *number = self->of[k]->number;
+        found += strcmp(number, "c") == 0 || strcmp(number, "phi_lin") == 0 ? 1 : 0;
+    }
+    return found > 1
+               ? " c and phi_lin of a curved locus? Then leave one out, hold it back, or state a discrepancy."
+               : "";
+}
+
+static void refuse(clod_loader *loader, numbers *self, const distance *of, numbers *without,
+                   numbers *room)
+{
+    char list[400], wrong[320];
+    sort(self);
+    list_farthest(self, list, sizeof list);
+    list_wrong(self, without, room, wrong, sizeof wrong);
+    clod_check_fail(
+        loader, "targets",
+        "test %s: no solid has all of this at the preshear stress of the case, %.4g kPa: %s. Chi-square of the nearest "
+        "possible solid is %.3g, and at most %.3g is taken for chance. %s. Has one another unit, is one of another "
+        "consolidation, or are two interchanged?%s",
+        self->test, 1e-3 * self->preshear, list, of->chi_square,
+        clod_nearest_limit(of->freedom), wrong, of_line(self));
+}
+
+static void warn(clod_plan *self, numbers *of)
+{
+    char list[260];
+    sort(of);
+    list_farthest(of, list, sizeof list);
+    clod_warning_list_add(
+        &self->warnings,
+        "test %s: no solid has all of this at the preshear stress of the case, %.4g kPa: %s. So what is held back will "
+        "likely be missed.%s",
+        of->test, 1e-3 * of->preshear, list, of_line(of));
+}
+
+/** A number that no solid has, whatever the others are; also one that is held back. */
+static bool check_alone(clod_loader *loader, const numbers *self, numbers *one, numbers *room)
+{
+    for (size_t k = 0; k < self->count; k++) {
+        one->count = 0;
+        append(one, self->of[k]);
+        if (measure(one, room).far) {
+            char text[160];
+            const char *number = self->of[k]->number;
+            describe(one, 0, text, sizeof text);
+            clod_check_fail(
+                loader, "targets",
+                "test %s: no solid has %s at the preshear stress of the case, %.4g kPa; check its unit, or give the test "
+                "the preshear stress of that %s%s",
+                self->test, text, 1e-3 * self->preshear, number,
+                strcmp(number, "ffc") == 0 ? ". Is it sigma_c/sigma_1?" : "");
+            return false;
+        }
+    }
+    return true;
+}
+
+/** `all`, `some`, `room` are empty and have room for all targets. */
+static void check(clod_loader *loader, clod_plan *self, size_t test, numbers *all,
+                  numbers *some, numbers *room)
+{
+    collect(all, self, test, true);
+    if (!check_alone(loader, all, some, room)) {
+        return;
+    }
+    const distance of_all = measure(all, room);
+    collect(all, self, test, false);
+    const distance of_used = measure(all, room);
+    if (of_used.far) {
+        refuse(loader, all, &of_used, some, room);
+    } else if (of_all.far) {
+        collect(all, self, test, true);
+        measure(all, room);
+        warn(self, all);
+    }
+}
+
+void clod_plan_conflicts_shear(clod_loader *loader, clod_plan *self, size_t test)
+{
+    const size_t before = loader->report->count;
+    check_points(loader, self, test);
+    numbers all, some, room;
+    bool made = init(&all, self, test);
+    made = init(&some, self, test) && made; // each, for fini
+    made = init(&room, self, test) && made;
+    if (made && loader->report->count == before) {
+        check(loader, self, test, &all, &some, &room);
+    }
+    loader->report->lost = loader->report->lost || !made;
+    fini(&all);
+    fini(&some);
+    fini(&room);
 }

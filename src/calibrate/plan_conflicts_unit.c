@@ -15,30 +15,18 @@
 #define CEMENTED                                                                               \
     10.0 ///< times the stress that consolidated it: such a strength has another origin
 
-double clod_plan_most_stress(const char *number, double phi_sf)
+/** A tau_p has the limits of its phi_sf. */
+static void check_tau_p(clod_loader *loader, const clod_plan_test *test,
+                        const clod_plan_target *of, double preshear)
 {
-    // The circle of steady flow goes through preshear. Its sigma_1 is largest with a cohesion of 0, sp/(1 - sin(phi_sf)). c
-    // is at most the radius of the circle that ends at the origin, sp/(2 cos(phi_sf)^2), and sigma_c its diameter.
-    const double steepest = cos(phi_sf) * cos(phi_sf);
-    return strcmp(number, "c") == 0         ? 0.5 / steepest
-           : strcmp(number, "sigma_c") == 0 ? 1.0 / steepest
-           : strcmp(number, "sigma_1") == 0 ? 1.0 / (1.0 - sin(phi_sf))
-                                            : HUGE_VAL;
-}
-
-static void check_most(clod_loader *loader, const clod_plan_test *test,
-                       const clod_plan_target *of, double stress)
-{
-    const double most =
-        clod_plan_most_stress(of->number, CLOD_ANGLES_MOST * CLOD_NUMBER_DEGREE);
-    if (of->value - most * stress > CLOD_PLAN_FIRM_ERRORS * of->error) {
+    const double degrees = atan2(of->value, preshear) / CLOD_NUMBER_DEGREE;
+    if (!(degrees >= CLOD_ANGLES_LEAST && degrees <= CLOD_ANGLES_MOST)) {
         clod_check_fail(
             loader, "targets",
-            "test %s: %s %.4g kPa in targets.%zu is %.3g times the preshear stress of the case, %.4g kPa, where no "
-            "solid with phi_sf up to %.0f deg has more than %.3g times: check its unit, or give the test the "
-            "preshear stress of that %s",
-            test->name, of->number, 1e-3 * of->value, of->entry, of->value / stress,
-            1e-3 * stress, CLOD_ANGLES_MOST, most, of->number);
+            "test %s: tau_p %.4g kPa in targets.%zu is a phi_sf of %.1f deg at the preshear stress of the case, %.4g "
+            "kPa; it must be %.0f to %.0f deg: check its unit, or give the test the preshear stress of that tau_p",
+            test->name, 1e-3 * of->value, of->entry, degrees, 1e-3 * preshear,
+            CLOD_ANGLES_LEAST, CLOD_ANGLES_MOST);
     }
 }
 
@@ -84,22 +72,21 @@ static void check_cemented(clod_loader *loader, const clod_plan_test *test,
     }
 }
 
-void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self)
+void clod_plan_conflicts_unit(clod_loader *loader, const clod_plan *self, size_t test)
 {
+    const clod_plan_test *in = &self->tests[test];
+    const clod_number *numbers = clod_test_kinds_of(in->middle)->numbers;
     for (size_t k = 0; k < self->target_count; k++) {
         const clod_plan_target *of = &self->targets[k];
-        const clod_plan_test *test = &self->tests[of->test];
-        const clod_number *numbers = clod_test_kinds_of(test->middle)->numbers;
+        if (of->test != test) {
+            continue;
+        }
         if (numbers == CLOD_NUMBERS_UNIAXIAL) {
-            check_cemented(loader, test, of);
-        } else if (numbers == CLOD_NUMBERS_SHEAR) {
-            const double stress = clod_case_shear(test->middle)->preshear_stress;
-            if (of->curve == NULL) {
-                check_most(loader, test, of, stress);
-            }
-            if (strcmp(of->number, "tau") == 0) {
-                check_shear_stress(loader, self, of, stress);
-            }
+            check_cemented(loader, in, of);
+        } else if (numbers == CLOD_NUMBERS_SHEAR && strcmp(of->number, "tau_p") == 0) {
+            check_tau_p(loader, in, of, clod_case_shear(in->middle)->preshear_stress);
+        } else if (numbers == CLOD_NUMBERS_SHEAR && strcmp(of->number, "tau") == 0) {
+            check_shear_stress(loader, self, of, clod_case_shear(in->middle)->preshear_stress);
         }
     }
 }

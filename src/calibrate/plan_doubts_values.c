@@ -1,7 +1,7 @@
 /**
  * @file plan_doubts_values.c
  * Single values that are possible and hardly meant, mostly for a wrong unit: warnings. What no solid can have is refused
- * (plan_targets.c, plan_conflicts_unit.c).
+ * (plan_targets.c, plan_conflicts_unit.c, plan_conflicts_shear.c).
  */
 
 #include <math.h>
@@ -92,14 +92,26 @@ static void warn_of_angle(clod_plan *self, const clod_plan_target *of, const ran
                                  : "Is it that of another stress?");
 }
 
+/** How many times its preshear stress a solid with an angle of steady flow up to phi_sf [rad] has at most of c, sigma_c or sigma_1;
+ *  HUGE_VAL: of another number. */
+static double most_stress(const char *number, double phi_sf)
+{
+    // The circle of steady flow goes through preshear. Its sigma_1 is largest with a cohesion of 0, sp/(1 - sin(phi_sf)). c
+    // is at most the radius of the circle that ends at the origin, sp/(2 cos(phi_sf)^2), and sigma_c its diameter.
+    const double steepest = cos(phi_sf) * cos(phi_sf);
+    return strcmp(number, "c") == 0         ? 0.5 / steepest
+           : strcmp(number, "sigma_c") == 0 ? 1.0 / steepest
+           : strcmp(number, "sigma_1") == 0 ? 1.0 / (1.0 - sin(phi_sf))
+                                            : HUGE_VAL;
+}
+
 static void warn_of_stress(clod_plan *self, const clod_plan_target *of, double least)
 {
     const char *name;
     const clod_plan_test *test = &self->tests[of->test];
     const double stress = stress_of(test, of, &name);
     const bool shear = clod_test_kinds_of(test->middle)->numbers == CLOD_NUMBERS_SHEAR;
-    const double most =
-        shear ? clod_plan_most_stress(of->number, STEEP * CLOD_NUMBER_DEGREE) : 1.0;
+    const double most = shear ? most_stress(of->number, STEEP * CLOD_NUMBER_DEGREE) : 1.0;
     if (of->value > CLOD_PLAN_FIRM_ERRORS * of->error && of->value < least * stress) {
         clod_warning_list_add(
             &self->warnings,

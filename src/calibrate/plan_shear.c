@@ -83,12 +83,36 @@ static sample prorated_point(const clod_locus_mark *mark, const clod_locus_point
     return made;
 }
 
+/** Whether points would lie at the shear stresses of their case if sigma_sh and tau_sh were exchanged; a complaint then. */
+static bool are_exchanged(maker *self, size_t test, const clod_locus *locus)
+{
+    const clod_case *from = self->plan->tests[test].middle;
+    const clod_test_kind *kind = clod_test_kinds_of(from);
+    bool outside = false, steep = locus->point_count > 0;
+    for (size_t k = 0; k < locus->point_count; k++) {
+        const clod_locus_mark *mark = &locus->marks[k];
+        outside = outside || !kind->has_stress(from, mark->sigma);
+        steep = steep && mark->measured > mark->sigma && kind->has_stress(from, mark->measured);
+    }
+    if (outside && steep) {
+        clod_check_fail(
+            self->loader, clod_plan_targets_at(self, "locus"),
+            "has normal stresses outside the shear_stresses of test %s, and all of its "
+            "shear stresses within: are the columns sigma_sh and tau_sh exchanged?",
+            self->wish->test);
+    }
+    return outside && steep;
+}
+
 /** The prorated points of a yield locus. */
 static void make_points(maker *self, const clod_number *kind, const clod_plan_target *common,
                         const shear_table *table)
 {
     const clod_locus_group *group = table->group;
     clod_plan_samples list;
+    if (are_exchanged(self, common->test, &group->locus)) {
+        return;
+    }
     if (clod_plan_samples_init(&list, self, group->locus.point_count)) {
         list.slope = tan(group->locus.phi_lin.value);
         list.error_column = "tau_sh_error";

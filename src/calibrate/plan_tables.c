@@ -132,6 +132,7 @@ static bool look(const char *path, clod_plan_is *is, clod_status *status)
         [CLOD_MEASURED_OF_SHEAR] = CLOD_PLAN_IS_SHEAR,
         [CLOD_MEASURED_OF_WALL] = CLOD_PLAN_IS_WALL,
         [CLOD_MEASURED_OF_SIGMA_1] = CLOD_PLAN_IS_FLOW,
+        [CLOD_MEASURED_OF_REPOSE] = CLOD_PLAN_IS_REPOSE,
     };
     const clod_measured_kind kind = clod_measured_kind_of(text, length);
     const clod_measured_stress stress = clod_measured_stress_of(text, length);

@@ -2,11 +2,12 @@
 
 #include "analysis/measured_header.h"
 
-/** The keys that tables belong to. */
+/** Where tables belong. */
 static const char *const KEYS[] = {
     [CLOD_MEASURED_OF_SHEAR] = "flow_function.shear_tests",
     [CLOD_MEASURED_OF_WALL] = "wall_friction.file",
     [CLOD_MEASURED_OF_SIGMA_1] = "flow_function.file or bulk_density.file",
+    [CLOD_MEASURED_OF_REPOSE] = "a target of clod calibrate",
 };
 
 /** @param path  NULL: the key is not given */

@@ -212,6 +212,19 @@ static void an_angle_that_no_wall_has_is_told(void **state)
     expect_only(sticky, 3, NULL);
 }
 
+/** 0.4 rad and 0.38 under deg, by hand; and 75 deg, from a table without tau_w. */
+static void angles_of_a_table_that_no_wall_has(void **state)
+{
+    (void)state;
+    clod_wall_locus_point wall[] = {{.sigma = 5e3, .tau = 34.9, .of_angle = true},
+                                    {.sigma = 10e3, .tau = 66.3, .of_angle = true}};
+    expect_only(wall, 2,
+                "no wall is as smooth. Has phi_x another unit, rad under a header in deg");
+    wall[0].tau = 18.66e3;
+    wall[1].tau = 37.32e3;
+    expect_only(wall, 2, "no wall is as rough. Has phi_x another unit");
+}
+
 /** A simulation has no columns to exchange and no units to mistake: what else it may be is said. */
 static void an_angle_that_no_simulated_wall_has(void **state)
 {
@@ -310,6 +323,7 @@ int main(void)
         cmocka_unit_test(a_locus_that_is_odd_says_so),
         cmocka_unit_test(a_table_that_falls_is_refused),
         cmocka_unit_test(an_angle_that_no_wall_has_is_told),
+        cmocka_unit_test(angles_of_a_table_that_no_wall_has),
         cmocka_unit_test(an_angle_that_no_simulated_wall_has),
         cmocka_unit_test(a_stated_error_as_large_as_its_value_is_told),
         cmocka_unit_test(a_small_error_is_no_zero),

@@ -54,6 +54,7 @@ static void angles_stand_for_shear_stresses(void **state)
     assert_true(
         clod_wall_locus_parse("wall.csv", text, strlen(text), &points, &count, &status));
     assert_int_equal(count, 2);
+    assert_true(points[0].of_angle);
     check_close(points[0].tau, 4000.0, 1e-9);
     check_close(points[0].tau_error, 8000.0 * M_PI / 180.0, 1e-9);
     check_close(points[1].tau, 2000.0 / sqrt(3.0), 1e-9);

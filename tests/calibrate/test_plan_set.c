@@ -35,6 +35,32 @@ static void refuse(void **state, const char *text, const char *words)
 #define OTHER "- {test: b, number: phi_e, value: 41 deg, error: 1 deg}\n"
 #define TEST(set) "points: 9\ntests:\n  a: {case: " LAB "ring.yaml, set: {" set "}}\n"
 
+// A budget of the file and points by a setting, and the reverse; two settings, or both in the file, are one too many.
+static void points_and_budget_replace_each_other(void **state)
+{
+    static const char *const POINTS[] = {"points=12"};
+    static const char *const BUDGET[] = {"budget=2 h"};
+    static const char *const BOTH[] = {"points=12", "budget=2 h"};
+    static const char REST[] = "tests: {a: {case: " LAB "ring.yaml}}\n" FRICTION TARGET;
+    char path[PATH_MAX], text[1024];
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    snprintf(text, sizeof text, "budget: 10 h\n%s", REST);
+    lab_write_file(state, "plan.yaml", text);
+    temp_path(path, state, "plan.yaml");
+    assert_true(clod_plan_load(path, POINTS, 1, &plan, &status));
+    assert_true(plan.points == 12 && plan.budget == 0.0);
+    clod_plan_fini(&plan);
+    assert_false(clod_plan_load(path, BOTH, 2, &plan, &status));
+    assert_non_null(strstr(status.text, "points: has a budget beside it; keep one of them"));
+    clod_plan_fini(&plan);
+    snprintf(text, sizeof text, "points: 9\n%s", REST);
+    lab_write_file(state, "plan.yaml", text);
+    assert_true(clod_plan_load(path, BUDGET, 1, &plan, &status));
+    assert_true(plan.points == 0 && plan.budget == 7200.0);
+    clod_plan_fini(&plan);
+}
+
 // Sections are gone into, lists stay whole; the other test has what the case has, 1.2 kPa.
 static void a_test_has_its_own_values(void **state)
 {
@@ -200,6 +226,8 @@ static void specimens_of_two_tests_are_warned_of(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(points_and_budget_replace_each_other, temp_folder_make,
+                                        temp_folder_remove),
         cmocka_unit_test_setup_teardown(a_test_has_its_own_values, temp_folder_make,
                                         temp_folder_remove),
         cmocka_unit_test_setup_teardown(wrong_settings_are_told_where_they_stand,

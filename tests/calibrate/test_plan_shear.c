@@ -329,6 +329,27 @@ static void strength_of_repeated_points(void **state)
     check_coverage(state, 3, false, "locus: lab.csv", USUAL, 0.028);
 }
 
+// The case shears at 10.96 to 43.84 kPa: these are its stresses, under tau_sh. Points that lie lower are told one by one.
+static void exchanged_columns(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    lab_write_file(state, "lab.csv",
+                   HEAD "\n54.8,40,9,10.96\n54.8,40,15,27.4\n54.8,40,20,43.84\n");
+    assert_false(
+        lab_load(state, RING, ROLLING, "locus: lab.csv, error: 0.5 kPa", &plan, &status));
+    assert_non_null(strstr(status.text,
+                           "targets.0.locus: has normal stresses outside the "
+                           "shear_stresses of test lab, and all of its shear stresses "
+                           "within: are the columns sigma_sh and tau_sh exchanged?"));
+    assert_null(strstr(status.text, "give it there"));
+    clod_plan_fini(&plan);
+    lab_write_file(state, "lab.csv",
+                   HEAD "\n54.8,40,9,10.96\n54.8,40,30,27.4\n54.8,40,40,33\n");
+    lab_refuse(state, RING, "locus: lab.csv, error: 0.5 kPa",
+               "9 kPa is outside the shear_stresses of test lab; give it there");
+}
+
 /** Three seeds of four specimens each: the mean of twelve points, as above, by 9 degrees of the preshears and 2 to 8 of the
  *  scatter between seeds, of which the fewest count. More than 90 % hold the truth. */
 static void strength_of_seeds(void **state)
@@ -350,6 +371,7 @@ int main(void)
         TEST(scatter_between_seeds_has_it_already),
         TEST(preshear_is_a_target_beside_its_points),
         TEST(error_of_a_preshear),
+        TEST(exchanged_columns),
         TEST(strength_of_prorated_points),
         TEST(strength_of_prorated_points_and_their_preshear),
         TEST(strength_of_repeated_points),

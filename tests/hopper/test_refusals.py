@@ -219,6 +219,10 @@ class Refusals(hopper_case.Case):
                                  ("effective_friction", "shear", shear), ("static_friction", "wall", wall)):
             done = self.hopper("case.yaml", "--set", f"{key}={{file: {table}.csv}}", code=2)
             self.assertIn(f"{table}.csv: is a table of {what}; {key}.file takes ", done.stderr)
+        self.write("heaps.csv", "heap,angle_of_repose [deg]\n1,33\n2,34\n")  # with a column that its reader alone knows
+        done = self.hopper("case.yaml", "--set", "wall_friction={file: heaps.csv}", code=2)
+        self.assertIn("heaps.csv: is a table of angles of repose (angle_of_repose), which belongs in a target of clod calibrate; "
+                      "wall_friction.file takes wall friction", done.stderr)
         done = self.hopper("case.yaml", "--set", "flow_function={shear_tests: [{points: wall.csv}]}", code=2)
         self.assertIn(f"wall.csv: is a table of {wall}; flow_function.shear_tests takes shear points", done.stderr)
 
