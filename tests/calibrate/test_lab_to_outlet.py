@@ -18,7 +18,8 @@ PAGE = "docs/howto/from-lab-report-to-outlet.md"
 CARD = clod.source("cases/lab-to-outlet/card.yaml")
 SLOW = [["clod", "calibrate", "plan.yaml", "-o"], ["clod", "run", "ring.yaml"], ["clod", "run", "chute.yaml", "-o", "run/rust-35"],
         ["clod", "run", "chute.yaml", "-o", "run/rust-45"], ["clod", "calibrate", "plan-wall.yaml", "-o"],
-        ["clod", "run", "chute.yaml", "-o", "run/card-35"]]
+        ["clod", "run", "chute.yaml", "-o", "run/card-35"],
+        ["clod", "hopper", "hopper.yaml", "--set", "flow_function={shear_tests: [{points: run/ring-600}, {points: run/ring}, {points: run/ring-2400}]}"]]
 DEAR = [*SLOW, ["clod", "report"], ["clod", "picture"],
         *([["clod", "run"], ["clod", "hopper"]] if clod.SANITIZED else [])]
 

@@ -76,6 +76,20 @@ class Study(unittest.TestCase):
             names = [re.search(r"-o (\S+)", line).group(1) for line in self.asked(*arguments)]
             self.assertEqual((len(names), len(set(names))), (count, count), arguments)
 
+    def test_specimens_of_the_laboratory(self):
+        """As the study's README has them sheared at 0.3 kPa by hand."""
+        subprocess.run([sys.executable, os.path.join(STUDY, "laboratory", "run"), "--clod", self.clod, "--folder",
+                        os.path.join(self.folder.name, "out"), "--seed", "104", "--specimens", "6", "--low"],
+                       capture_output=True, check=False)  # this clod writes no points
+        with open(os.path.join(self.folder.name, "asked")) as file:
+            asked = {re.search(r"-o \S+/lab-(\S+)", line).group(1): line for line in file}
+        self.assertEqual(sorted(asked), ["0.3", "0.6", "1.2", "2.4"])
+        for line in asked.values():
+            self.assertIn(f"--set include={os.path.normpath(TRUTH)} --set seed=104 --set ring_shear.seeds=6 ", line)
+        self.assertIn("--set ring_shear.preshear_stress=0.3 kPa --set ring_shear.shear_stresses=[0.12 kPa, 0.165 kPa, 0.21 kPa] "
+                      "--set ring_shear.speed=7.5 mm/s --set ring_shear.lid_mass=0.05 kg\n", asked["0.3"])
+        self.assertNotIn("speed", asked["0.6"])
+
     def test_the_critical_cone_is_that_of_the_case(self):
         with open(os.path.join(STUDY, "cone.yaml")) as file:
             case = file.read()
