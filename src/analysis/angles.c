@@ -88,8 +88,8 @@ static bool check_preshear(const clod_locus *locus, const char *places, const ch
                "%s: the yield locus at a preshear stress of %.3f kPa%s has tau_pre = %.3f kPa, "
                "%.3f of the %.3f kPa that the line through its points has there; it must be "
                "%.2f of it or more, and steady flow has at least %.2f. Has sigma_pre or tau_pre "
-               "another unit or column than the points, or has one of them a slip? If not, "
-               "preshear ended long before steady flow: shear further, and measure again.",
+               "another unit or column than the points, are sigma_sh and tau_sh exchanged, or "
+               "has one of them a slip? If not, preshear ended long before steady flow: shear further, and measure again.",
                places, 1e-3 * sigma, seed, 1e-3 * tau, share, 1e-3 * tau / share, limit, least);
 }
 

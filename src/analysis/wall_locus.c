@@ -363,6 +363,9 @@ bool clod_wall_locus_evaluate(const clod_wall_locus_point *points, size_t count,
 bool clod_wall_locus_of_table(const clod_wall_locus_point *points, size_t count,
                               clod_wall_locus *locus, clod_status *status)
 {
+    if (!CLOD_GIVEN(locus, status) || (count > 0 && !CLOD_GIVEN(points, status))) {
+        return false;
+    }
     if (!clod_wall_locus_evaluate(points, count, locus, status)) {
         return false;
     }

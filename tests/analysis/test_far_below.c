@@ -111,7 +111,7 @@ static void tables_are_refused_below_two_fifths(void **state)
         status.text,
         "a.csv:2, 3, 4, 5: the yield locus at a preshear stress of 10.000 kPa has tau_pre = 3.193 kPa, 0.399 of the 8.002 kPa "
         "that the line through its points has there; it must be 0.40 of it or more, and steady flow has at least 0.74. Has "
-        "sigma_pre or tau_pre another unit or column than the points, or has one of them a slip? If not, preshear ended "
+        "sigma_pre or tau_pre another unit or column than the points, are sigma_sh and tau_sh exchanged, or has one of them a slip? If not, preshear ended "
         "long before steady flow: shear further, and measure again.");
     assert_true(taken(70.0, 0.309, &status));
     assert_false(taken(70.0, 0.307, &status));

@@ -293,7 +293,7 @@ class Calibrate(bounce.Bounce):
               "60 kPa is outside the shear_stresses of test bounce")
         shear("number: phi_e, value: 9 deg, error: 1 deg, normal_stress: 60 kPa", "phi_e has none")
         shear("number: phi_e, value: 30 deg, error: 1 deg}\n  - {test: bounce, number: phi_lin, value: 40 "
-              "deg, error: 1 deg", "phi_e 30.0 deg in targets.0 is below phi_lin 40.0 deg in targets.1")
+              "deg, error: 1 deg", "no solid has all of this", "phi_e 30 deg in targets.0 (nearest 35, 5.0 errors away)")
         shear("number: c, value: 3 kPa, error: 0.1 kPa}\n  - {test: bounce, number: c, value: 4 kPa, "
               "error: 0.1 kPa", "bounce: c is there as 3 kPa in targets.0 and as 4 kPa in targets.1, 7.1 standard errors apart")
         head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"

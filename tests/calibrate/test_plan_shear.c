@@ -340,8 +340,7 @@ static void exchanged_columns(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
-    lab_write_file(state, "lab.csv",
-                   HEAD "\n54.8,40,9,10.96\n54.8,40,15,27.4\n54.8,40,20,43.84\n");
+    lab_write_file(state, "lab.csv", HEAD "\n54.8,40,9,30\n54.8,40,15,35\n54.8,40,20,43.84\n");
     assert_false(
         lab_load(state, RING, ROLLING, "locus: lab.csv, error: 0.5 kPa", &plan, &status));
     assert_non_null(strstr(status.text,
