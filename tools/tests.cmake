@@ -148,6 +148,9 @@ endif()
 if(CLOD_SANITIZE)
   # What these look at (numbers, progress lines) does not depend on the build, and takes long.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|jenike|uniaxial|wall_friction|fields_testers|grids_testers|terminal)\\.py$")
+  # Outlets over ranges of margins and walls, and wall friction on a ridged plate: tests/hopper has tests of the same functions,
+  # tests/setup/test_ridged_plate.c of the plate.
+  list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "(hopper/test_(margin|outlet)|cli/test_wall_roughness)\\.py$")
   # What a browser draws does not depend on the build; all pages are written in the other tests of reports too.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "report/test_(browser|print|view)\\.py$")
   # Simulations of a minute, and clod started a hundred times; tests/calibrate/test_plan.c has the texts of wrong plans,

@@ -86,18 +86,15 @@ class Ridges(clod.TesterCase):
             file.write(echo)
         self.assertEqual(check(case=again)["plate_ridges"], check()["plate_ridges"])
 
-    @clod.quick_only
     def test_an_interrupted_test_ends_the_same(self):
         self.assert_same_end_after_interruptions(("consolidate", "shear"), ["fill", "wall"])
 
-    @clod.quick_only
     def test_two_threads_give_the_same_bytes(self):
         out = self.path("threads")
         done = clod.run("run", CASE, "-o", out, "-t", "2")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same_end(self.out, out, ["fill", "wall"])
 
-    @clod.quick_only
     def test_another_programme_begins_from_the_same_filling(self):
         out = self.path("from")
         other = ("--from", self.out, "--set", "wall_friction.wall_stresses=[8 kPa, 4 kPa]")

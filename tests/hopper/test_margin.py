@@ -19,7 +19,6 @@ class Margin(hopper_case.Case):
         outlets = [word for shape in ("cone", "wedge") if outlet for word in ("--set", f"{shape}.outlet={outlet} mm")]
         return self.found("--set", f"margin={margin} deg", *outlets)
 
-    @clod.quick_only
     def test_at_the_limit_it_is_mass_flow(self):
         self.start(CASE, ROWS)
         self.write("wall.csv", WALL)
@@ -67,7 +66,6 @@ class Margin(hopper_case.Case):
         for shape in ("cone", "wedge"):
             self.assertEqual(self.design(0, 600)[shape]["outcome"], "flows")
 
-    @clod.quick_only
     def test_at_a_limit_that_is_given(self):
         """phi_e and the wall are those of all stresses, so if the solid slides at one it does at all: no outlet is the wall's."""
         self.start(rows=ROWS.replace("47,", "48,").replace("46,", "48,"))

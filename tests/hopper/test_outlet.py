@@ -46,7 +46,6 @@ class Outlet(clod.Case):
         why = [text.partition("has no stress over strength: ")[2] for text in mine if "has no stress" in text]
         return found[shape], kinds, why
 
-    @clod.quick_only
     def test_below_inside_and_above_the_interval(self):
         self.start()
         design = self.design()
@@ -180,7 +179,6 @@ class Outlet(clod.Case):
         self.assertTrue(found["outlet_m"]["value"] < length < found["outlet_m"]["high"])
         self.assertEqual((found["planned_outlet_arching_share"], said), (0.0, []))
 
-    @clod.quick_only
     def test_large_particles(self):
         """8 times the largest in a cone, 4 times in a wedge (Marinelli): 800 and 400 mm."""
         self.start(more="largest_particle: 100 mm\n")
