@@ -65,7 +65,7 @@ static void say_damage(const char *text)
 /** The results of several runs. */
 static void show_results(const char *text)
 {
-    printf("%s\n", text);
+    printf("%s\nWarnings of the runs, curves, and what differs between the cases:\n", text);
 }
 
 /** Write one page and print its name; the exit status. */

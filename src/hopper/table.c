@@ -61,7 +61,10 @@ static void put_planned(FILE *out, const clod_hopper_found *found)
     fprintf(out, "\n  Outlet of %.1f mm%s\n", 1e3 * found->planned,
             found->design.outcome == CLOD_HOPPER_UNPROVEN ? ", if it is mass flow" : "");
     put_line(out, &CLOD_HOPPER_FIELDS[CLOD_HOPPER_MARGIN], &found->number[CLOD_HOPPER_MARGIN]);
-    fprintf(out, "  %-32s%10.1f %%\n", "samples that do not flow", 100.0 * found->arching);
+    fprintf(out, "  %-32s%10.1f %%\n",
+            found->design.outcome == CLOD_HOPPER_FUNNEL ? "samples without mass flow"
+                                                        : "samples that do not flow",
+            100.0 * found->arching);
     if (found->share[CLOD_HOPPER_UNPROVEN] > 0.0) {
         fprintf(out, "  %-32s%10.1f %%\n", "perhaps no mass flow",
                 100.0 * found->share[CLOD_HOPPER_UNPROVEN]);

@@ -104,6 +104,9 @@ class Outlet(clod.Case):
             found, said, why = self.outlet(shape, 0.5)
             self.assertEqual((found["outcome"], said), ("funnel_flow", []))
             self.assertEqual(why, ["it is funnel flow, where " + words])
+            done = clod.run("hopper", "case.yaml", "--set", "interval.samples=200", "--set", f"{shape}.outlet=500 mm", cwd=self.folder)
+            self.assertRegex(done.stdout, r"samples without mass flow +100.0 %\n")  # a slot may empty in funnel flow
+            self.assertNotIn("samples that do not flow", done.stdout)
 
     def test_a_solid_that_cannot_flow(self):
         self.start(rows="2,3.0,0,45,40,1250\n8,9.0,0,45,40,1350\n")

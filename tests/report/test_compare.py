@@ -222,7 +222,8 @@ class Compare(pages.PageCase):
         shown = [re.split("  +", line.strip()) for line in done.stdout.split("\n")]
         for name, cells in wanted.items():
             self.assertIn([name, *cells], shown)
-        self.assertEqual(done.stdout.split("\n")[-2:], ["compare.html", ""])
+        self.assertEqual(done.stdout.split("\n")[-3:],
+                         ["Warnings of the runs, curves, and what differs between the cases:", "compare.html", ""])
 
     def test_curves_of_free_runs_have_names_in_words(self):
         for name, density in (("one", "2500"), ("two", "2600")):
