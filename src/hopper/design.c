@@ -30,6 +30,11 @@ bool clod_hopper_is_critical(const clod_hopper_design *self)
            (self->outcome == CLOD_HOPPER_UNPROVEN && self->outlet > 0.0);
 }
 
+bool clod_hopper_is_mass_flow(const clod_hopper_design *self)
+{
+    return self->outcome == CLOD_HOPPER_FLOWS || self->outcome == CLOD_HOPPER_NO_ARCH;
+}
+
 /** About the half angle of the design, by the closed approximation of the limit (theory/hopper.md) at
  *  the first stress; NAN: none. */
 static double guess_angle(const clod_solid *solid, const clod_hopper_wish *wish)

@@ -66,6 +66,9 @@ typedef struct clod_hopper_design {
 /** Whether there is a critical state: one of an outlet above which no arch stands. */
 bool clod_hopper_is_critical(const clod_hopper_design *self);
 
+/** Whether the solid is in mass flow, through some outlet or through any.   Threads  pure. */
+bool clod_hopper_is_mass_flow(const clod_hopper_design *self);
+
 /** H of a half angle. Source: docs/theory/hopper.md. Test: tests/hopper/test_design.c */
 double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape, double theta);
 

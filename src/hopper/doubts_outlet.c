@@ -169,9 +169,8 @@ static void warn_samples(clod_hopper *self, const char *name, const clod_hopper_
 {
     const double *share = found->share;
     const double tail = 0.5 * (1.0 - self->from.interval.level);
-    const bool flows = found->design.outcome == CLOD_HOPPER_FLOWS ||
-                       found->design.outcome == CLOD_HOPPER_NO_ARCH;
-    if (flows && 1.0 - share[CLOD_HOPPER_FLOWS] - share[CLOD_HOPPER_NO_ARCH] > tail) {
+    if (clod_hopper_is_mass_flow(&found->design) &&
+        1.0 - share[CLOD_HOPPER_FLOWS] - share[CLOD_HOPPER_NO_ARCH] > tail) {
         char told[CLOD_WORDS_MOST];
         clod_words_shares(found, told);
         clod_warning_list_add(

@@ -178,8 +178,7 @@ void clod_doubts_wall(clod_hopper *self, const char *name, const clod_hopper_fou
 {
     const clod_hopper_design *at = &found->design;
     const clod_curve *wall = &self->solid.wall;
-    const bool mass_flow =
-        at->outcome == CLOD_HOPPER_FLOWS || at->outcome == CLOD_HOPPER_NO_ARCH;
+    const bool mass_flow = clod_hopper_is_mass_flow(at);
     if (at->sticks && is_extrapolated(wall, &at->state)) {
         warn_intercept(self, name, "the critical outlet", &at->state);
     }

@@ -16,13 +16,6 @@ static bool is_beyond(const clod_hopper_found *found)
     return found->wish.limit > 0.0 && found->wish.half_angle > found->wish.limit;
 }
 
-/** Whether the means of the measured properties make mass flow. */
-static bool flows(const clod_hopper_found *found)
-{
-    return found->design.outcome == CLOD_HOPPER_FLOWS ||
-           found->design.outcome == CLOD_HOPPER_NO_ARCH;
-}
-
 /** Share of the samples in funnel flow, or not known to be mass flow. */
 static double without_mass_flow(const clod_hopper_found *found)
 {
@@ -32,7 +25,8 @@ static double without_mass_flow(const clod_hopper_found *found)
 /** Beside the verdict of mass flow, that too many samples do not have it. */
 static void put_doubt(const clod_hopper_found *found, char text[CLOD_WORDS_MOST])
 {
-    if (flows(found) && found->share[CLOD_HOPPER_FUNNEL] > CLOD_WORDS_SOME) {
+    if (clod_hopper_is_mass_flow(&found->design) &&
+        found->share[CLOD_HOPPER_FUNNEL] > CLOD_WORDS_SOME) {
         const size_t used = strlen(text);
         snprintf(text + used, CLOD_WORDS_MOST - used,
                  " But %.1f %% of the samples are in funnel flow: see the warnings.",
@@ -56,7 +50,7 @@ void clod_words_verdict(const clod_hopper_found *found, char text[CLOD_WORDS_MOS
         [CLOD_HOPPER_UNSETTLED] = "No critical state was found; see the warnings.",
     };
     const clod_hopper_design *at = &found->design;
-    if (flows(found) && without_mass_flow(found) > MOST) {
+    if (clod_hopper_is_mass_flow(&found->design) && without_mass_flow(found) > MOST) {
         snprintf(
             text, CLOD_WORDS_MOST,
             "Mass flow is less likely than not: %.1f %% of the samples have none. As "

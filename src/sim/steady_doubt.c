@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "analysis/fit.h"
+#include "analysis/mean.h"
 #include "sim/warning_box.h"
 
 #define ERRORS 3.0 // standard errors
@@ -20,15 +21,6 @@ static int known(const double *block, int count, double *number, double *value)
         }
     }
     return n;
-}
-
-static double mean_of(const double *value, int count)
-{
-    double sum = 0.0;
-    for (int k = 0; k < count; k++) {
-        sum += value[k];
-    }
-    return sum / count;
 }
 
 /** First values that are 0, when others are there and none of these is. */
@@ -57,7 +49,7 @@ clod_steady_doubt clod_steady_doubt_of(const double *block, int count)
         const double change = line.slope * count;
         doubt.late = late_of(value, n);
         if (fabs(line.slope) > ERRORS * error &&
-            fabs(change) > SHARE * fabs(mean_of(value, n))) {
+            fabs(change) > SHARE * fabs(clod_mean_of(value, (size_t)n, 0.0).value)) {
             doubt.change = change;
         }
     }
@@ -68,9 +60,11 @@ bool clod_steady_doubt_not_zero(const double *block, int count, double scale)
 {
     double number[CLOD_STEADY_BLOCKS], value[CLOD_STEADY_BLOCKS];
     const int n = known(block, count, number, value);
-    const double mean = mean_of(value, n);
-    return n >= CLOD_STEADY_DOUBT_BLOCKS && fabs(mean) > SHARE * scale &&
-           fabs(mean) > ERRORS * clod_steady_time_deviation(value, n) / sqrt(n);
+    if (n < CLOD_STEADY_DOUBT_BLOCKS) {
+        return false;
+    }
+    const clod_locus_value mean = clod_mean_of(value, (size_t)n, 0.0);
+    return fabs(mean.value) > SHARE * scale && fabs(mean.value) > ERRORS * mean.error;
 }
 
 bool clod_steady_doubt_warn(json_t *list, const char *what, const char *unit,
