@@ -24,24 +24,32 @@ def touch_of(phi_lin, c, sigma_p, tau_p):
     return middle - radius * slope / math.sqrt(1 + slope ** 2)
 
 
+def is_far_below(phi_lin, c, sigma_p, tau_p):
+    """Whether the preshear point lies so far below the yield locus that clod warns of it (docs/theory/yield-locus.md)."""
+    angle = math.radians(phi_lin)
+    return tau_p < min(0.75, 0.9 * math.cos(angle)) * (c + math.tan(angle) * sigma_p)
+
+
 def of_setting(tests, sigma_p):
-    """(tests whose last point is far right, tests whose line is above tau_p there, how fast tau_p of each still rose [kPa/mm], or
-    None where one does not tell it)."""
+    """(tests whose last point is far right, tests whose line is above tau_p there, tests whose preshear lies far below
+    it, how fast tau_p of each still rose [kPa/mm], or None where one does not tell it)."""
     far = sum(LAST * sigma_p - touch_of(test["phi_lin"], test["c"], sigma_p, test["tau_p"]) > FAR * sigma_p for test in tests)
     above = sum(test["c"] + math.tan(math.radians(test["phi_lin"])) * LAST * sigma_p > test["tau_p"] for test in tests)
+    below = sum(is_far_below(test["phi_lin"], test["c"], sigma_p, test["tau_p"]) for test in tests)
     rising = [test["rising"] for test in tests]
-    return far, above, None if None in rising else rising
+    return far, above, below, None if None in rising else rising
 
 
 def print_table(clod, folder, kept):
     rows = records.read(kept) | records.of_folder(clod, folder)
-    print("| setting | ore | packings | point at 80 % far right of the circle | line above tau_p at 80 % | tau_p still rising [kPa/mm] |")
-    print("|---" * 6 + "|")
+    print("| setting | ore | packings | point at 80 % far right of the circle | line above tau_p at 80 % "
+          "| preshear far below the line | tau_p still rising [kPa/mm] |")
+    print("|---" * 7 + "|")
     for choice in ["", *settings.CHOICES]:
         for ore in settings.CASES:
             names = [settings.name_of(choice, seed, ore) for seed in settings.SEEDS]
             tests = [rows[name] for name in names if name in rows]
             if tests:
-                far, above, rising = of_setting(tests, SIGMA_P[ore])
+                far, above, below, rising = of_setting(tests, SIGMA_P[ore])
                 told = "not kept" if rising is None else loci.told(rising, "+", 2)
-                print(f"| {choice or 'the case'} | {ore[3:]} % | {len(tests)} | {far} | {above} | {told} |")
+                print(f"| {choice or 'the case'} | {ore[3:]} % | {len(tests)} | {far} | {above} | {below} | {told} |")

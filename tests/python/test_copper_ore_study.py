@@ -207,8 +207,12 @@ class Tables(unittest.TestCase):
         self.assertAlmostEqual(doubtful.touch_of(30.0, 8.0, 54.8, 35.0), 38.69, delta=0.02)
         self.assertAlmostEqual(doubtful.touch_of(34.0, 8.0, 54.8, 35.0), 31.40, delta=0.02)
         self.assertEqual(doubtful.touch_of(20.0, 8.0, 54.8, 35.0), 54.8)  # 27.9 kPa on the line: its parallel
+        self.assertTrue(doubtful.is_far_below(20.0, 0.0, 54.8, 0.749 * 54.8 * 0.36397))
+        self.assertFalse(doubtful.is_far_below(20.0, 0.0, 54.8, 0.751 * 54.8 * 0.36397))  # below it, 0.9 cos would be 0.846
+        self.assertTrue(doubtful.is_far_below(45.0, 5.2, 54.8, 0.636 * 60.0))  # 0.9 cos 45 deg = 0.6364
+        self.assertFalse(doubtful.is_far_below(45.0, 5.2, 54.8, 0.637 * 60.0))
         text = self.show("doubtful")
-        self.assertIn("| the case | 5 % | 2 | 1 | 1 | +0.00 ± 0.00 |", text)
+        self.assertIn("| the case | 5 % | 2 | 1 | 1 | 0 | +0.00 ± 0.00 |", text)
 
     def test_choices(self):
         """30 and 34 degrees scatter by sqrt(8) = 2.8; force, 40 degrees once, is 8.0 ± 2.8 sqrt(1 + 1/2) = 3.5 above."""
