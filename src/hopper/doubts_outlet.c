@@ -14,13 +14,13 @@
 #define SHOWN 0.0005 // least share that is not printed as 0.0 %
 
 /** "208.2 mm (161.8 to 246.2)"; an end may be infinite. */
-static void put_critical(char text[96], const clod_hopper_value *outlet)
+static void put_size(char text[96], const clod_hopper_value *size)
 {
     char high[32] = "infinite";
-    if (isfinite(outlet->high)) {
-        snprintf(high, sizeof high, "%.1f", 1e3 * outlet->high);
+    if (isfinite(size->high)) {
+        snprintf(high, sizeof high, "%.1f", 1e3 * size->high);
     }
-    snprintf(text, 96, "%.1f mm (%.1f to %s)", 1e3 * outlet->value, 1e3 * outlet->low, high);
+    snprintf(text, 96, "%.1f mm (%.1f to %s)", 1e3 * size->value, 1e3 * size->low, high);
 }
 
 /**
@@ -53,7 +53,7 @@ static void warn_planned(clod_hopper *self, const char *name, const clod_hopper_
     const double share = 100.0 * found->arching;
     const bool below = planned < critical->value;
     char outlet[96], reason[128];
-    put_critical(outlet, critical);
+    put_size(outlet, critical);
     put_why(found, below, reason);
     const char *why =
         clod_ranges_hold(&found->lower, planned)
@@ -125,14 +125,15 @@ static void warn_silo(clod_hopper *self, const char *name, const clod_hopper_fou
 /** What decides on an outlet in place of an arch. */
 static void tell_funnel(char text[256], const clod_hopper *self, clod_radial_shape shape)
 {
-    const double width = 1e3 * self->slot.width;
+    char width[96];
+    put_size(width, &self->slot_width);
     if (shape == CLOD_RADIAL_CONE) {
         snprintf(text, 256, "it is funnel flow, where a rathole decides in place of an arch");
-    } else if (isinf(width)) {
+    } else if (isinf(self->slot_width.value)) {
         snprintf(text, 256, "it is funnel flow, where a dome stands over a slot of any width");
     } else {
         snprintf(text, 256,
-                 "it is funnel flow, where a slot must be wider than %.1f mm, and its diagonal "
+                 "it is funnel flow, where a slot must be wider than %s, and its diagonal "
                  "longer than the rathole's diameter",
                  width);
     }

@@ -99,8 +99,10 @@ class Outlet(clod.Case):
     def test_funnel_flow_has_no_margin(self):
         """The slot is as wide as in test_a_slot_in_funnel_flow of test_hopper.py."""
         self.start(wall="wall_friction: {angle: 46 deg}\n")
+        width = self.design()["rathole"]["slot_width_m"]
+        ends = f"144.9 mm ({1e3 * width['low']:.1f} to {1e3 * width['high']:.1f})"
         for shape, words in (("cone", "a rathole decides in place of an arch."),
-                             ("wedge", "a slot must be wider than 144.9 mm, and its diagonal longer than the rathole's diameter.")):
+                             ("wedge", f"a slot must be wider than {ends}, and its diagonal longer than the rathole's diameter.")):
             found, said, why = self.outlet(shape, 0.5)
             self.assertEqual((found["outcome"], said), ("funnel_flow", []))
             self.assertEqual(why, ["it is funnel flow, where " + words])
