@@ -67,14 +67,13 @@ static void put_head(FILE *out, const clod_run_files *runs, size_t count)
     fputs("</h1></header>\n", out);
 }
 
-/** @param text  of results, as clod_plain_put takes it */
+/** @param text  of warnings and results, as clod_plain_put takes it */
 static bool put_runs(clod_sheet *sheet, FILE *text, const clod_run_files *runs, size_t count,
                      const json_t *lab, clod_status *status)
 {
     const clod_writer out = {sheet->body, text};
     put_head(sheet->body, runs, count);
-    if (!clod_warnings_section_put(clod_writer_page(sheet->body), runs, count, true, lab,
-                                   status)) {
+    if (!clod_warnings_section_put(out, runs, count, true, lab, status)) {
         return false;
     }
     clod_html_section(sheet->body, "results", "Results");
@@ -91,7 +90,7 @@ static bool put_runs(clod_sheet *sheet, FILE *text, const clod_run_files *runs, 
     return good;
 }
 
-/** Make the body of the page. @param plain  [out] owned: results for a terminal; NULL after a failure */
+/** Make the body of the page. @param plain  [out] owned: warnings and results for a terminal; NULL after a failure */
 static bool make(clod_sheet *sheet, char **plain, const clod_run_files *runs, size_t count,
                  const json_t *lab, clod_status *status)
 {

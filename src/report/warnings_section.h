@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file warnings_section.h
- * The warnings of a page: those that say the same of other numbers, of other parts or other runs are one.
+ * The warnings of a page, and of its runs in the terminal: those that say the same of other numbers, of other parts or other runs are one.
  */
 
 #include <jansson.h>
