@@ -62,10 +62,10 @@ static void say_damage(const char *text)
     fprintf(stderr, "clod: %s\n", text);
 }
 
-/** The results of several runs. */
+/** Warnings and results of several runs. */
 static void show_results(const char *text)
 {
-    printf("%s\nWarnings of the runs, curves, and what differs between the cases:\n", text);
+    printf("%s\nCurves, and what differs between the cases:\n", text);
 }
 
 /** Write one page and print its name; the exit status. */
@@ -140,8 +140,8 @@ int clod_app_compare(int argc, char **argv)
             "Write compare.html, or the file that -o names, about the results folders RUN, of "
             "runs of one kind, not of calibrations: tables "
             "of their results and of the keys in which their cases differ, curves over "
-            "each other; and each figure beside it as SVG. Print the results, and the name of "
-            "the page in the last line.\v"
+            "each other; and each figure beside it as SVG. Print warnings and results, and the "
+            "name of the page in the last line.\v"
             "docs/howto/report.md has examples.",
     };
     request self = {.options = {.tell = say_damage, .show = show_results}};

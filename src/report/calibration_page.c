@@ -65,7 +65,7 @@ static void put_number(FILE *out, const json_t *from, const char *key, double er
         clod_rounded_text(text, clod_rounded_of(value, error, 3), value);
         fputs(text, out);
     } else if (isfinite(value)) {
-        clod_rounded_put(out, value, none, none, CLOD_ROUNDED_SHORT, "");
+        clod_rounded_put(clod_writer_page(out), value, none, none, CLOD_ROUNDED_SHORT, "");
     }
     fputs("</td>", out);
 }
@@ -156,7 +156,8 @@ static void put_targets(FILE *out, const json_t *result, bool held_back, const c
         begun = true;
         put_name(out, name_of(target), target);
         clod_rounded_begin(out, "td", value, error, unit != NULL ? unit : "");
-        clod_rounded_put(out, value, error, (double)NAN, CLOD_ROUNDED_SHORT, "");
+        clod_rounded_put(clod_writer_page(out), value, error, (double)NAN, CLOD_ROUNDED_SHORT,
+                         "");
         fputs("</td>", out);
         put_number(out, target, "discrepancy", (double)NAN);
         put_number(out, target, "model", half_of(target));

@@ -70,9 +70,12 @@ void clod_cards_result(FILE *out, const json_t *from, const clod_result_row *row
                        const char *more)
 {
     fputs("<div class=\"card\">", out);
-    clod_result_table_value(out, "b", from, row, false);
-    fprintf(out, row->symbol[0] != '\0' ? "</b><span>%s, %s" : "</b><span>%s%s", row->symbol,
-            row->text);
+    const clod_writer page = clod_writer_page(out);
+    clod_result_table_value(page, "b", from, row, false);
+    fputs("</b><span>", out);
+    clod_writer_symbol(page, row->symbol);
+    fputs(row->symbol[0] != '\0' ? ", " : "", out);
+    clod_writer_words(page, row->text);
     if (more != NULL) {
         fputs(": ", out);
         clod_html_text(out, more);
@@ -101,7 +104,7 @@ static void put_strengths(FILE *out, const json_t *strengths)
     json_array_foreach(strengths, k, one)
     {
         char text[128];
-        snprintf(text, sizeof text, "unconfined strength after %.3f kPa: ff<sub>c</sub> %.2f",
+        snprintf(text, sizeof text, "unconfined strength after %.3f kPa: $ff_c$ %.2f",
                  1e-3 * clod_shear_number(one, "sigma_1_Pa"), clod_shear_number(one, "ffc"));
         const clod_result_row row = {"sigma_c_Pa",       text, "",   "kPa", 1e-3, 3,
                                      "sigma_c_error_Pa", NULL, false};

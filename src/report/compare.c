@@ -67,44 +67,47 @@ static void put_head(FILE *out, const clod_run_files *runs, size_t count)
     fputs("</h1></header>\n", out);
 }
 
-/** The results as HTML and as text, both owned; NULL: what could not be made. */
-static bool make_results(char **html, char **text, const clod_run_files *runs, size_t count,
-                         const json_t *lab, clod_status *status)
+/** @param text  of warnings and results, as clod_plain_put takes it */
+static bool put_runs(clod_sheet *sheet, FILE *text, const clod_run_files *runs, size_t count,
+                     const json_t *lab, clod_status *status)
 {
-    clod_text page, plain;
-    FILE *out = clod_text_open(&page);
-    const bool good = out != NULL ? runs[0].kind->results(out, runs, count, lab, status)
-                                  : fail_memory(status);
-    *html = out != NULL ? clod_text_close(&page) : NULL;
-    out = *html != NULL ? clod_text_open(&plain) : NULL;
-    const bool whole = out != NULL && clod_plain_put(out, *html);
-    *text = out != NULL ? clod_text_close(&plain) : NULL;
-    return good && ((whole && *text != NULL) || fail_memory(status));
-}
-
-static bool put_runs(clod_sheet *sheet, const clod_run_files *runs, size_t count,
-                     const json_t *lab, char **text, clod_status *status)
-{
-    char *html;
+    const clod_writer out = {sheet->body, text};
     put_head(sheet->body, runs, count);
-    if (!clod_warnings_section_put(sheet->body, runs, count, true, lab, status)) {
+    if (!clod_warnings_section_put(out, runs, count, true, lab, status)) {
         return false;
     }
     clod_html_section(sheet->body, "results", "Results");
-    bool good = make_results(&html, text, runs, count, lab, status);
-    if (good) {
-        fputs(html, sheet->body);
-        clod_html_section(sheet->body, "differences", "What differs between the cases");
-        good = clod_compare_keys_put(sheet->body, runs, count, status);
+    if (!runs[0].kind->results(out, runs, count, lab, status)) {
+        return false;
     }
-    clod_memory_free(html);
-    if (!good) {
+    clod_html_section(sheet->body, "differences", "What differs between the cases");
+    if (!clod_compare_keys_put(sheet->body, runs, count, status)) {
         return false;
     }
     clod_html_section(sheet->body, "figures", "Figures");
-    good = runs[0].kind->figures(sheet, runs, count, lab, status);
+    const bool good = runs[0].kind->figures(sheet, runs, count, lab, status);
     clod_compare_sources_put(sheet->body, runs, count);
     return good;
+}
+
+/** Make the body of the page. @param plain  [out] owned: warnings and results for a terminal; NULL after a failure */
+static bool make(clod_sheet *sheet, char **plain, const clod_run_files *runs, size_t count,
+                 const json_t *lab, clod_status *status)
+{
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return fail_memory(status);
+    }
+    const bool good = put_runs(sheet, out, runs, count, lab, status);
+    char *raw = clod_text_close(&text);
+    out = good && raw != NULL ? clod_text_open(&text) : NULL;
+    if (out != NULL) {
+        clod_plain_put(out, raw);
+        *plain = clod_text_close(&text);
+    }
+    clod_memory_free(raw);
+    return good && (*plain != NULL || fail_memory(status));
 }
 
 /** What the caller asked to be told, of a page that is written. */
@@ -133,7 +136,7 @@ bool clod_report_compare(const clod_report_options *options, char **path, clod_s
         good = lab != NULL;
     }
     good = good && clod_sheet_open(&sheet, status) &&
-           put_runs(&sheet, runs, options->run_count, lab, &text, status);
+           make(&sheet, &text, runs, options->run_count, lab, status);
     if (good) {
         *path = clod_memory_text(options->output != NULL ? options->output : "compare.html");
         good = *path != NULL ? clod_sheet_write(&sheet, "Comparison of runs", *path, status)

@@ -8,7 +8,6 @@
 #include "report/compare_tables.h"
 #include "report/field_axes.h"
 #include "report/free_tables.h"
-#include "report/html.h"
 #include "report/rounded.h"
 #include "report/summary_tables.h"
 
@@ -27,7 +26,7 @@ static const clod_result_row ROWS[] = {
 
 /** A number that runs tell of an object: a row of the comparison. */
 typedef struct number {
-    char *key, *text, *unit; ///< owned: of the flat summaries; the row's, as HTML
+    char *key, *text, *unit; ///< owned: of the flat summaries; the row's
     size_t table;            ///< of CLOD_FREE_TABLES
     bool whole;              ///< in all runs
     bool words;              ///< a text
@@ -68,7 +67,7 @@ static char *join(const char *a, const char *b, const char *c)
     return clod_text_close(&text);
 }
 
-/** Owned HTML of a row's name, "lip: velocity x". */
+/** Owned name of a row, "lip: velocity x". */
 static char *name_row(const clod_summary_cell *cell, const char *name)
 {
     clod_text text;
@@ -76,10 +75,7 @@ static char *name_row(const clod_summary_cell *cell, const char *name)
     if (out == NULL) {
         return NULL;
     }
-    clod_html_text(out, cell->of);
-    fputs(": ", out);
-    clod_html_text(out, name);
-    fprintf(out, cell->axes[0] != '\0' ? " %s" : "%s", cell->axes);
+    fprintf(out, cell->axes[0] != '\0' ? "%s: %s %s" : "%s: %s%s", cell->of, name, cell->axes);
     return clod_text_close(&text);
 }
 
@@ -199,7 +195,7 @@ static void free_numbers(numbers *self)
     json_decref(self->at);
 }
 
-bool clod_compare_free_results(FILE *out, const clod_run_files *runs, size_t count,
+bool clod_compare_free_results(clod_writer out, const clod_run_files *runs, size_t count,
                                const json_t *lab, clod_status *status)
 {
     (void)lab;
@@ -216,11 +212,12 @@ bool clod_compare_free_results(FILE *out, const clod_run_files *runs, size_t cou
     if (good) {
         lay_out(&all, table, rows, &tables);
         good = clod_compare_tables_put(out, &tables, flat, count, NULL, status);
-        fputs(all.more
-                  ? "<p class=\"note\">Not all that the runs measured has a place in these "
-                    "tables: the rest is in their summary.json.</p>\n"
-                  : "",
-              out);
+        if (all.more) {
+            clod_writer_mark(out, "<p class=\"note\">", "");
+            clod_writer_text(out, "Not all that the runs measured has a place in these tables: "
+                                  "the rest is in their summary.json.");
+            clod_writer_mark(out, "</p>\n", "\n");
+        }
     } else {
         clod_status_fail(status, CLOD_FAILED, "No memory for the comparison.");
     }

@@ -6,9 +6,9 @@
 
 #include <jansson.h>
 #include <stdbool.h>
-#include <stdio.h>
 
 #include "report/run_files.h"
+#include "report/writer.h"
 
 /**
  * What all free runs have, and the angles of repose, mixing indices and mass flows that any of them measured.
@@ -16,5 +16,5 @@
  * @param lab  NULL: no laboratory stands beside them
  * Errors  CLOD_FAILED: no memory.   Test  tests/report/test_compare.py
  */
-bool clod_compare_free_results(FILE *out, const clod_run_files *runs, size_t count,
+bool clod_compare_free_results(clod_writer out, const clod_run_files *runs, size_t count,
                                const json_t *lab, clod_status *status);

@@ -5,7 +5,6 @@
 
 #include "base/memory.h"
 #include "base/text.h"
-#include "report/html.h"
 #include "sim/case_diff.h"
 
 #define SEED 32 ///< bytes of one
@@ -169,30 +168,35 @@ void clod_compare_seeds_name(const clod_compare_seeds *self, size_t group, char 
     }
 }
 
-void clod_compare_seeds_note(FILE *out, const clod_compare_seeds *self,
+void clod_compare_seeds_note(clod_writer out, const clod_compare_seeds *self,
                              const clod_run_files *runs)
 {
     for (size_t first = 0; first < self->count; first++) {
         const size_t size = clod_compare_seeds_size(self, first);
-        char name[64];
+        char name[64], words[256];
         if (size < 2) {
             continue;
         }
         clod_compare_seeds_name(self, first, name);
-        fprintf(out,
-                "<p class=\"note\"><strong>%s</strong>: mean &plusmn; standard error of the "
-                "mean, and scatter s (standard deviation), of %zu runs whose cases differ in "
-                "nothing but seed and title: ",
-                name, size);
+        snprintf(
+            words, sizeof words,
+            ": mean \u00b1 standard error of the mean, and scatter s (standard deviation), "
+            "of %zu runs whose cases differ in nothing but seed and title: ",
+            size);
+        clod_writer_mark(out, "<p class=\"note\"><strong>", "");
+        clod_writer_text(out, name);
+        clod_writer_mark(out, "</strong>", "");
+        clod_writer_text(out, words);
         const char *between = "";
         for (size_t k = first; k < self->count; k++) {
             if (self->group[k] == first) {
-                fputs(between, out);
-                clod_html_text(out, runs[k].name);
+                clod_writer_text(out, between);
+                clod_writer_text(out, runs[k].name);
                 between = ", ";
             }
         }
-        fputs(". Errors of the single runs have no part in it.</p>\n", out);
+        clod_writer_text(out, ". Errors of the single runs have no part in it.");
+        clod_writer_mark(out, "</p>\n", "\n");
     }
 }
 
@@ -203,7 +207,7 @@ bool clod_compare_seeds_origin(const clod_run_files *a, const clod_run_files *b)
     return (one == NULL && other == NULL) || json_equal(one, other);
 }
 
-void clod_compare_seeds_twins(FILE *out, const clod_compare_seeds *self,
+void clod_compare_seeds_twins(clod_writer out, const clod_compare_seeds *self,
                               const clod_run_files *runs)
 {
     for (size_t k = 0; k < self->count; k++) {
@@ -211,17 +215,19 @@ void clod_compare_seeds_twins(FILE *out, const clod_compare_seeds *self,
             continue;
         }
         const clod_run_files *twin = &runs[self->twin[k]];
-        fputs("<p class=\"note\"><strong>", out);
-        clod_html_text(out, runs[k].name);
-        fputs("</strong> has the case of ", out);
-        clod_html_text(out, twin->name);
-        fputs(
+        clod_writer_mark(out, "<p class=\"note\"><strong>", "");
+        clod_writer_text(out, runs[k].name);
+        clod_writer_mark(out, "</strong>", "");
+        clod_writer_text(out, " has the case of ");
+        clod_writer_text(out, twin->name);
+        clod_writer_text(
+            out,
             clod_compare_seeds_origin(&runs[k], twin)
                 ? " and a seed of it: they have a packing in common, of which the same version "
                   "of clod computes the same bits every time. It is no repeat, and has"
-                : " and a seed of it, but began from other grains (clod run --from). It has",
-            out);
-        fputs(" no part in means.</p>\n", out);
+                : " and a seed of it, but began from other grains (clod run --from). It has");
+        clod_writer_text(out, " no part in means.");
+        clod_writer_mark(out, "</p>\n", "\n");
     }
 }
 

@@ -7,10 +7,10 @@
 #include <jansson.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdio.h>
 
 #include "report/result_table.h"
 #include "report/run_files.h"
+#include "report/writer.h"
 
 /** Groups of complete runs whose cases differ in nothing but `seed` (and `title`). */
 typedef struct clod_compare_seeds {
@@ -44,11 +44,11 @@ json_t *clod_compare_seeds_mean(const clod_result_row *rows, size_t row_count,
                                 const json_t *const *of, size_t count);
 
 /** Say what each mean is of. */
-void clod_compare_seeds_note(FILE *out, const clod_compare_seeds *self,
+void clod_compare_seeds_note(clod_writer out, const clod_compare_seeds *self,
                              const clod_run_files *runs);
 
 /** Say which runs have a packing in common: these are no repeats. */
-void clod_compare_seeds_twins(FILE *out, const clod_compare_seeds *self,
+void clod_compare_seeds_twins(clod_writer out, const clod_compare_seeds *self,
                               const clod_run_files *runs);
 
 /** Whether two runs begin from the same grains: both from their case, or (`clod run --from`) from one run. */

@@ -19,10 +19,10 @@ static void put_number(FILE *out, const json_t *summary, const char *key)
     const bool whole = ends[0] == floor(ends[0]) && ends[1] == floor(ends[1]); // seeds, grains
     const int digits = whole ? 0 : CLOD_ROUNDED_SHORT;
     clod_rounded_begin(out, "td", ends[0], none, "");
-    clod_rounded_put(out, ends[0], none, none, digits, "");
+    clod_rounded_put(clod_writer_page(out), ends[0], none, none, digits, "");
     if (ends[0] != ends[1]) {
         fputs(" to ", out);
-        clod_rounded_put(out, ends[1], none, none, digits, "");
+        clod_rounded_put(clod_writer_page(out), ends[1], none, none, digits, "");
     }
     fputs("</td>", out);
 }

@@ -2,7 +2,6 @@
 
 #include "base/memory.h"
 #include "report/compare_seeds.h"
-#include "report/html.h"
 #include "report/shear.h"
 #include "report/shear_points.h"
 #include "report/shear_rows.h"
@@ -104,24 +103,27 @@ static bool list_subjects(subjects *self, const clod_compare_tables *tables,
     return good;
 }
 
-static void put_all(FILE *out, const clod_compare_tables *tables, const subjects *all)
+static void put_all(clod_writer out, const clod_compare_tables *tables, const subjects *all)
 {
     size_t first = 0;
     for (size_t k = 0; k < tables->count; k++) {
         const clod_compare_table *one = &tables->table[k];
         if (one->title != NULL) {
-            clod_html_cell(out, "h3", one->title);
-            fputs("\n", out);
+            clod_writer_mark(out, "<h3>", "\n");
+            clod_writer_text(out, one->title);
+            clod_writer_mark(out, "</h3>\n", "\n");
         }
         clod_result_table_put(out, tables->rows + first, one->rows, all->of, all->count);
         if (one->note != NULL) {
-            fprintf(out, "<p class=\"note\">%s</p>\n", one->note);
+            clod_writer_mark(out, "<p class=\"note\">", "");
+            clod_writer_text(out, one->note);
+            clod_writer_mark(out, "</p>\n", "\n");
         }
         first += one->rows;
     }
 }
 
-bool clod_compare_tables_put(FILE *out, const clod_compare_tables *self,
+bool clod_compare_tables_put(clod_writer out, const clod_compare_tables *self,
                              const clod_run_files *runs, size_t count, const json_t *lab,
                              clod_status *status)
 {
@@ -156,8 +158,8 @@ typedef struct loci {
     clod_compare_object get;
 } loci;
 
-static bool put_loci(FILE *out, const loci *self, const clod_run_files *runs, size_t count,
-                     const json_t *lab, clod_status *status)
+static bool put_loci(clod_writer out, const loci *self, const clod_run_files *runs,
+                     size_t count, const json_t *lab, clod_status *status)
 {
     const clod_compare_table whole = {.rows = self->row_count};
     const clod_compare_tables tables = {&whole, 1, self->rows, self->row_count, self->get};
@@ -170,7 +172,7 @@ static bool put_loci(FILE *out, const loci *self, const clod_run_files *runs, si
     return good;
 }
 
-bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t count,
+bool clod_compare_tables_shear(clod_writer out, const clod_run_files *runs, size_t count,
                                const json_t *lab, clod_status *status)
 {
     const loci own = {"locus", CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, locus_of};
@@ -189,14 +191,14 @@ bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t cou
     return good;
 }
 
-bool clod_compare_tables_wall(FILE *out, const clod_run_files *runs, size_t count,
+bool clod_compare_tables_wall(clod_writer out, const clod_run_files *runs, size_t count,
                               const json_t *lab, clod_status *status)
 {
     const loci own = {"wall_locus", CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, wall_of};
     return put_loci(out, &own, runs, count, lab, status);
 }
 
-bool clod_compare_tables_uniaxial(FILE *out, const clod_run_files *runs, size_t count,
+bool clod_compare_tables_uniaxial(clod_writer out, const clod_run_files *runs, size_t count,
                                   const json_t *lab, clod_status *status)
 {
     const loci own = {"flow_function", CLOD_UNIAXIAL_ROWS, CLOD_UNIAXIAL_ROW_COUNT,

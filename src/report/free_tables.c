@@ -2,26 +2,26 @@
 
 #define BLOCKS                                                                                 \
     "standard deviation of the means of ten blocks of time; the error of the mean is this "    \
-    "over &radic;10 if the blocks are independent."
+    "over \u221a10 if the blocks are independent."
 
 const clod_free_table CLOD_FREE_TABLES[CLOD_FREE_TABLE_COUNT] = {
-    {"Gauges", "gauges", NULL, NULL, "&plusmn; " BLOCKS, false},
-    {"Balance", "balance", NULL, NULL, "&plusmn; " BLOCKS, true},
-    {"Out, of the balance", "balance", "out", NULL, "&plusmn; " BLOCKS, false},
+    {"Gauges", "gauges", NULL, NULL, "\u00b1 " BLOCKS, false},
+    {"Balance", "balance", NULL, NULL, "\u00b1 " BLOCKS, true},
+    {"Out, of the balance", "balance", "out", NULL, "\u00b1 " BLOCKS, false},
     {"Resting material", "build_up", NULL, NULL, NULL, false},
     {"Residence time", "residence", NULL, "what left",
-     "&plusmn; standard deviation of the times of the grains that left, no error of their mean.",
+     "\u00b1 standard deviation of the times of the grains that left, no error of their mean.",
      false},
-    {"Fields", "fields", NULL, NULL, "&plusmn; " BLOCKS, false},
-    {"Mixing", "mixing", NULL, NULL, "mean &plusmn; " BLOCKS, false},
+    {"Fields", "fields", NULL, NULL, "\u00b1 " BLOCKS, false},
+    {"Mixing", "mixing", NULL, NULL, "mean \u00b1 " BLOCKS, false},
     {"Angle of repose", "repose", NULL, NULL,
-     "angle &plusmn; standard error of the line through the flank at the end; mean &plusmn; " BLOCKS,
+     "angle \u00b1 standard error of the line through the flank at the end; mean \u00b1 " BLOCKS,
      false},
     {"Inlets", "inlets", NULL, NULL, NULL, false},
     {"Outlets", "outlets", NULL, NULL, NULL, false},
     {"Left at the sides of the domain", "left", NULL, NULL, NULL, false},
     {"Surfaces", "surfaces", NULL, NULL, NULL, false},
-    {"Belts", "belts", NULL, NULL, "&plusmn; " BLOCKS, false},
+    {"Belts", "belts", NULL, NULL, "\u00b1 " BLOCKS, false},
     {"Walls at the end", "walls", NULL, NULL, NULL, false},
     {"Clumps", "clumps", NULL, NULL, NULL, false},
     {"Stages", "stages", NULL, NULL, NULL, false},

@@ -14,7 +14,7 @@ typedef struct clod_free_table {
     const char *key;    ///< of the summary
     const char *within; ///< key of what has the objects in it; NULL: itself
     const char *alone;  ///< name of the one object that it is; NULL: it has objects
-    const char *spread; ///< what the numbers behind +- are, HTML; NULL: there are none
+    const char *spread; ///< what the numbers behind +- are; NULL: there are none
     bool
         nothing; ///< also numbers that are zero in all runs are compared: nothing spilled, nothing lost
 } clod_free_table;

@@ -9,9 +9,8 @@
 #include <stdio.h>
 
 /**
- * Write one list item for each warning.
+ * Write the warnings, each text with a 0 at its end.
  *
- * @param out      NULL: only count
  * @param summary  of the run; NULL: none
  * @return         number of warnings
  * Test  tests/report/test_free_page.py

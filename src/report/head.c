@@ -24,7 +24,7 @@ void clod_head_put(FILE *out, const clod_run_files *run)
     fputs("</p></header>\n", out);
 }
 
-/** List items, each behind the same words; how many. */
+/** Warnings, each behind the same words; how many. */
 static size_t put_list(FILE *out, const char *before, const json_t *list)
 {
     size_t k;
@@ -32,17 +32,12 @@ static size_t put_list(FILE *out, const char *before, const json_t *list)
     json_array_foreach(list, k, text)
     {
         const char *words = json_string_value(text);
-        if (out != NULL) {
-            fputs("<li>", out);
-            clod_html_text(out, before);
-            clod_html_text(out, words != NULL ? words : "");
-            fputs("</li>", out);
-        }
+        fprintf(out, "%s%s%c", before, words != NULL ? words : "", '\0');
     }
     return json_array_size(list);
 }
 
-/** Warnings of an evaluation. @param out  NULL: only count them @param named  each with the preshear stress of its locus */
+/** Warnings of an evaluation. @param named  each with the preshear stress of its locus */
 static size_t put_study(FILE *out, const json_t *study, bool named)
 {
     size_t count = 0;
@@ -61,15 +56,14 @@ static size_t put_study(FILE *out, const json_t *study, bool named)
     return count + put_list(out, "", json_object_get(study, "warnings"));
 }
 
-size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab)
+size_t clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
 {
     const char *incomplete = json_string_value(json_object_get(run->summary, "incomplete"));
-    if (run->report == NULL && out != NULL) {
-        clod_html_cell(out, "li",
-                       "The run is not complete: this page shows what there is so far.");
+    if (run->report == NULL) {
+        fprintf(out, "The run is not complete: this page shows what there is so far.%c", '\0');
     }
-    if (incomplete != NULL && out != NULL) {
-        clod_html_cell(out, "li", incomplete);
+    if (incomplete != NULL) {
+        fprintf(out, "%s%c", incomplete, '\0');
     }
     return (size_t)(run->report == NULL) + (size_t)(incomplete != NULL) +
            put_list(out, "", run->damage) +
@@ -78,18 +72,9 @@ size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab)
            clod_free_warnings_put(out, run->summary) + clod_shear_lab_warnings(out, run, lab);
 }
 
-size_t clod_head_lab_count(const json_t *lab)
+size_t clod_head_lab_warnings(FILE *out, const json_t *lab)
 {
-    return put_study(NULL, lab, true);
-}
-
-void clod_head_lab_put(FILE *out, const json_t *lab)
-{
-    if (clod_head_lab_count(lab) > 0) {
-        fputs("<h3>Laboratory points</h3><ul>", out);
-        put_study(out, lab, true);
-        fputs("</ul>", out);
-    }
+    return put_study(out, lab, true);
 }
 
 bool clod_head_number(const json_t *summary, const char *key, double ends[2])

@@ -13,16 +13,13 @@
 void clod_head_put(FILE *out, const clod_run_files *run);
 
 /**
- * The warnings of a run, one list item each; how many. @param out  NULL: only count them
+ * Write the warnings of a run, each text with a 0 at its end; how many.
  * @param lab  the laboratory's results (NULL: none): whether they are of another preshear stress
  */
-size_t clod_head_items(FILE *out, const clod_run_files *run, const json_t *lab);
+size_t clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab);
 
-/** How many the evaluation of the laboratory's points has. @param lab  NULL: none */
-size_t clod_head_lab_count(const json_t *lab);
-
-/** These in a list under a heading of its own, each with the preshear stress of its locus; without any, nothing. */
-void clod_head_lab_put(FILE *out, const json_t *lab);
+/** The same of the evaluation of the laboratory's points (NULL: none), each with the preshear stress of its locus. */
+size_t clod_head_lab_warnings(FILE *out, const json_t *lab);
 
 /**
  * A number of the summary, or of its parts: times add up, steps are none, for each part counts on from those of its

@@ -1,16 +1,16 @@
 #pragma once
 /**
  * @file plain.h
- * Tables of a page as text for a terminal.
+ * Tables and notes as text for a terminal.
  */
 
-#include <stdbool.h>
 #include <stdio.h>
 
 /**
- * Write headings, tables and notes of a piece of a page as text, the columns of a table aligned. Knows the HTML that pages are
- * written with: elements are closed, cells are th and td.
+ * Write a text with its tables laid out: names begin a line, numbers end below each other.
  *
- * @return  false: no memory   Threads  safe.   Test  tests/report/test_plain.c
+ * @param text  is used up; a tab ends each cell of a table, a line end each row, a form feed the table; lines of other text
+ *              have none of them. What would spoil a terminal becomes ?
+ * Threads  safe.   Test  tests/report/test_plain.c
  */
-bool clod_plain_put(FILE *out, const char *html);
+void clod_plain_put(FILE *out, char *text);

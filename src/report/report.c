@@ -29,7 +29,8 @@ static bool put_run(clod_sheet *sheet, clod_run_files *run, const json_t *lab,
         return false;
     }
     clod_head_put(sheet->body, run);
-    bool good = clod_warnings_section_put(sheet->body, run, 1, false, lab, status);
+    bool good =
+        clod_warnings_section_put(clod_writer_page(sheet->body), run, 1, false, lab, status);
     clod_cards_put(sheet->body, run);
     good = good && run->kind->put(sheet, run, lab, status);
     clod_grain_view_put(sheet, &view);

@@ -23,7 +23,7 @@ typedef struct clod_report_options {
     const char *output; ///< HTML file; NULL: report.html in the folder, or compare.html
     /** Told what files of the runs lack, which the page says among its warnings; NULL: nobody. */
     void (*tell)(const char *text);
-    /** Told the results of a comparison as text, when its page is written; NULL: nobody. */
+    /** Told the warnings and results of a comparison as text, when its page is written; NULL: nobody. */
     void (*show)(const char *text);
 } clod_report_options;
 

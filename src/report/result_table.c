@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "report/html.h"
 #include "report/rounded.h"
 #include "report/summary_tables.h"
 
@@ -26,18 +25,19 @@ static double error_of(const json_t *from, const clod_result_row *row)
 }
 
 /** How far the simulation is off a measured number, where that is told. */
-static void put_off(FILE *out, const json_t *object)
+static void put_off(clod_writer out, const json_t *object)
 {
     const double off = 100.0 * clod_result_table_number(object, "off");
     const double error = 100.0 * clod_result_table_number(object, "off_error");
     if (isfinite(off)) {
-        fprintf(out, " <small class=\"off\">(simulation %s", off > 0.0 ? "+" : "");
+        clod_writer_mark(out, " <small class=\"off\">(simulation ", " (simulation ");
+        clod_writer_text(out, off > 0.0 ? "+" : "");
         clod_rounded_put(out, off, error, (double)NAN, 1, "%");
-        fputs(")</small>", out);
+        clod_writer_mark(out, ")</small>", ")");
     }
 }
 
-void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
+void clod_result_table_value(clod_writer out, const char *tag, const json_t *from,
                              const clod_result_row *row, bool all)
 {
     const json_t *object = json_object_get(from, row->key);
@@ -45,15 +45,15 @@ void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
     const double error = error_of(from, row);
     const double scatter = all ? clod_result_table_number(object, "scatter") : (double)NAN;
     if (row->words) {
-        fprintf(out, "<%s>", tag);
-        clod_html_text(out, json_string_value(object));
+        fprintf(out.page, "<%s>", tag);
+        clod_writer_text(out, json_string_value(object));
         return;
     }
     char name[CLOD_FIGURE_NAME], unit[16];
     clod_summary_tables_name(row->key, name, unit);
-    clod_rounded_begin(out, tag, value, error, unit);
+    clod_rounded_begin(out.page, tag, value, error, unit);
     if (!isfinite(value)) {
-        fputs(row->missing != NULL ? row->missing : "undefined", out);
+        clod_writer_text(out, row->missing != NULL ? row->missing : "undefined");
         return;
     }
     clod_rounded_put(out, row->factor * value, row->factor * error, row->factor * scatter,
@@ -61,15 +61,19 @@ void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
     const double known = clod_result_table_number(object, "n"),
                  all_of = clod_result_table_number(from, "n");
     if (known < all_of) {
-        fprintf(out, " <small>(n %.0f)</small>", known);
+        char count[48];
+        snprintf(count, sizeof count, "(n %.0f)", known);
+        clod_writer_mark(out, " <small>", " ");
+        clod_writer_text(out, count);
+        clod_writer_mark(out, "</small>", "");
     }
     put_off(out, object);
 }
 
-static void put_cell(FILE *out, const clod_result_of *of, const clod_result_row *row)
+static void put_cell(clod_writer out, const clod_result_of *of, const clod_result_row *row)
 {
     clod_result_table_value(out, "td", of->from, row, true);
-    fputs("</td>", out);
+    clod_writer_mark(out, "</td>", "\t");
 }
 
 /** Whether a row is worth its place: some have the number, or what is missing is said. */
@@ -83,7 +87,7 @@ static bool has_place(const clod_result_row *row, const clod_result_of *of, size
 }
 
 /** Write whose numbers they are; several of one name are told apart by the stress of preshear or consolidation. */
-static void put_name(FILE *out, const clod_result_of *of, size_t count, size_t s)
+static void put_name(clod_writer out, const clod_result_of *of, size_t count, size_t s)
 {
     static const char *const STRESSES[] = {"sigma_p_Pa", "consolidation_stress_Pa",
                                            "sigma_1_Pa"};
@@ -95,80 +99,100 @@ static void put_name(FILE *out, const clod_result_of *of, size_t count, size_t s
     for (size_t k = 0; k < count; k++) {
         alike += strcmp(of[k].name, of[s].name) == 0;
     }
-    fputs("<th>", out);
-    clod_html_text(out, of[s].name);
+    clod_writer_mark(out, "<th>", "");
+    clod_writer_text(out, of[s].name);
     if (alike > 1 && isfinite(stress)) {
-        fprintf(out, ", %.4g&nbsp;kPa", 1e-3 * stress);
+        char text[48];
+        snprintf(text, sizeof text, "%.4g", 1e-3 * stress);
+        clod_writer_text(out, ", ");
+        clod_writer_text(out, text);
+        clod_writer_mark(out, "&nbsp;kPa", " kPa");
     }
-    fputs("</th>", out);
+    clod_writer_mark(out, "</th>", "\t");
+}
+
+/** Write " [unit]", where there is one. */
+static void put_unit(clod_writer out, const char *unit, bool small)
+{
+    if (unit[0] != '\0') {
+        clod_writer_mark(out, small ? " <small>[" : " [", " [");
+        clod_writer_text(out, unit);
+        clod_writer_mark(out, small ? "]</small>" : "]", "]");
+    }
 }
 
 /** Those of whom it is are columns, as on the page of one run. */
-static void put_columns(FILE *out, const clod_result_row *rows, size_t row_count,
+static void put_columns(clod_writer out, const clod_result_row *rows, size_t row_count,
                         const clod_result_of *of, size_t count)
 {
     bool symbols = false;
     for (size_t k = 0; k < row_count; k++) {
         symbols = symbols || rows[k].symbol[0] != '\0';
     }
-    fprintf(out,
-            "<div class=\"scroll\"><table class=\"results%s\"><thead><tr>"
-            "<th>quantity</th>%s",
-            symbols ? " symbols" : "", symbols ? "<th></th>" : "");
+    fprintf(out.page, "<div class=\"scroll\"><table class=\"results%s\"><thead><tr>",
+            symbols ? " symbols" : "");
+    clod_writer_cell(out, "th", "quantity");
+    if (symbols) {
+        clod_writer_cell(out, "th", "");
+    }
     for (size_t s = 0; s < count; s++) {
         put_name(out, of, count, s);
     }
-    fputs("</tr></thead>\n<tbody>", out);
+    clod_writer_mark(out, "</tr></thead>\n<tbody>", "\n");
     for (size_t k = 0; k < row_count; k++) {
         if (!has_place(&rows[k], of, count)) {
             continue;
         }
-        fprintf(out, "<tr><th>%s", rows[k].text);
-        fprintf(out, rows[k].unit[0] != '\0' ? " [%s]</th>" : "%s</th>", rows[k].unit);
+        clod_writer_mark(out, "<tr><th>", "");
+        clod_writer_words(out, rows[k].text);
+        put_unit(out, rows[k].unit, false);
+        clod_writer_mark(out, "</th>", "\t");
         if (symbols) {
-            fprintf(out, "<td>%s</td>", rows[k].symbol);
+            clod_writer_mark(out, "<td>", "");
+            clod_writer_symbol(out, rows[k].symbol);
+            clod_writer_mark(out, "</td>", "\t");
         }
         for (size_t s = 0; s < count; s++) {
             put_cell(out, &of[s], &rows[k]);
         }
-        fputs("</tr>\n", out);
+        clod_writer_mark(out, "</tr>\n", "\n");
     }
-    fputs("</tbody></table></div>\n", out);
+    clod_writer_mark(out, "</tbody></table></div>\n", "\f");
 }
 
 /** A row for each: for more of them than a page is wide. */
-static void put_rows(FILE *out, const clod_result_row *rows, size_t row_count,
+static void put_rows(clod_writer out, const clod_result_row *rows, size_t row_count,
                      const clod_result_of *of, size_t count)
 {
-    fputs("<div class=\"scroll\"><table class=\"copied tight\"><thead><tr>"
-          "<th>run</th>",
-          out);
+    fputs("<div class=\"scroll\"><table class=\"copied tight\"><thead><tr>", out.page);
+    clod_writer_cell(out, "th", "run");
     for (size_t k = 0; k < row_count; k++) {
         if (!has_place(&rows[k], of, count)) {
             continue;
         }
         const bool symbol = rows[k].symbol[0] != '\0';
-        const bool title = symbol && strchr(rows[k].text, '<') == NULL;
-        fprintf(out, title ? "<th title=\"%s\">" : "<th>", rows[k].text);
-        fputs(symbol ? rows[k].symbol : rows[k].text, out);
-        fprintf(out, rows[k].unit[0] != '\0' ? " <small>[%s]</small></th>" : "%s</th>",
-                rows[k].unit);
+        const bool title = symbol && strchr(rows[k].text, '$') == NULL;
+        fprintf(out.page, title ? "<th title=\"%s\">" : "<th>", rows[k].text);
+        (symbol ? clod_writer_symbol : clod_writer_words)(out, symbol ? rows[k].symbol
+                                                                      : rows[k].text);
+        put_unit(out, rows[k].unit, true);
+        clod_writer_mark(out, "</th>", "\t");
     }
-    fputs("</tr></thead>\n<tbody>", out);
+    clod_writer_mark(out, "</tr></thead>\n<tbody>", "\n");
     for (size_t s = 0; s < count; s++) {
-        fputs(of[s].mean ? "<tr class=\"mean\">" : "<tr>", out);
+        clod_writer_mark(out, of[s].mean ? "<tr class=\"mean\">" : "<tr>", "");
         put_name(out, of, count, s);
         for (size_t k = 0; k < row_count; k++) {
             if (has_place(&rows[k], of, count)) {
                 put_cell(out, &of[s], &rows[k]);
             }
         }
-        fputs("</tr>\n", out);
+        clod_writer_mark(out, "</tr>\n", "\n");
     }
-    fputs("</tbody></table></div>\n", out);
+    clod_writer_mark(out, "</tbody></table></div>\n", "\f");
 }
 
-void clod_result_table_put(FILE *out, const clod_result_row *rows, size_t row_count,
+void clod_result_table_put(clod_writer out, const clod_result_row *rows, size_t row_count,
                            const clod_result_of *of, size_t count)
 {
     if (count > CLOD_RESULT_COLUMNS && row_count <= CLOD_RESULT_NUMBERS) {

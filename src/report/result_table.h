@@ -6,16 +6,17 @@
 
 #include <jansson.h>
 #include <stdbool.h>
-#include <stdio.h>
+
+#include "report/writer.h"
 
 /** A quantity. */
 typedef struct clod_result_row {
     const char *
         key; ///< of the JSON: a number, or an object with value, error and scatter; of a measured one also with
              ///< `off` and `off_error`, the share by which the simulation is off
-    const char *text;    ///< HTML
-    const char *symbol;  ///< HTML; "": none
-    const char *unit;    ///< HTML
+    const char *text;    ///< as clod_writer_words takes it
+    const char *symbol;  ///< "sigma_1"; "": none
+    const char *unit;    ///< "": none
     double factor;       ///< brings the JSON's number to this unit
     int digits;          ///< behind the point where there is no error
     const char *error;   ///< key of its error, where that stands beside it; NULL: it does not
@@ -39,10 +40,10 @@ typedef struct clod_result_of {
 double clod_result_table_number(const json_t *object, const char *key);
 
 /** Write a value with its error, and its scatter if `all`, rounded; full numbers are the title of `tag`,
- *  which is begun. */
-void clod_result_table_value(FILE *out, const char *tag, const json_t *from,
+ *  which is begun on the page. */
+void clod_result_table_value(clod_writer out, const char *tag, const json_t *from,
                              const clod_result_row *row, bool all);
 
 /** The table. Test  tests/report/test_compare.py */
-void clod_result_table_put(FILE *out, const clod_result_row *rows, size_t row_count,
+void clod_result_table_put(clod_writer out, const clod_result_row *rows, size_t row_count,
                            const clod_result_of *of, size_t count);

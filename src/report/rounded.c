@@ -62,17 +62,17 @@ void clod_rounded_text(char text[48], clod_rounded how, double number)
 }
 
 /** A number that is far below the last digit of the value keeps two of its own. */
-static void put_small(FILE *out, const char *before, clod_rounded how, double number)
+static void put_small(clod_writer out, clod_rounded how, double number)
 {
     char text[48];
     clod_rounded_text(text, how, number);
     if (strtod(text, NULL) == 0.0) {
         snprintf(text, sizeof text, "%.1e", number);
     }
-    fprintf(out, " <small>%s%s", before, text);
+    clod_writer_text(out, text);
 }
 
-void clod_rounded_put(FILE *out, double value, double error, double scatter, int digits,
+void clod_rounded_put(clod_writer out, double value, double error, double scatter, int digits,
                       const char *unit)
 {
     char text[48];
@@ -83,16 +83,22 @@ void clod_rounded_put(FILE *out, double value, double error, double scatter, int
     } else {
         clod_rounded_text(text, how, value);
     }
-    fputs(text, out);
+    clod_writer_text(out, text);
     if (known) {
-        put_small(out, "&plusmn; ", how, error);
-        fprintf(out, unit[0] != '\0' ? " %s</small>" : "%s</small>", unit);
+        clod_writer_mark(out, " <small>&plusmn; ", " \u00b1 ");
+        put_small(out, how, error);
+        clod_writer_text(out, unit[0] != '\0' ? " " : "");
+        clod_writer_text(out, unit);
+        clod_writer_mark(out, "</small>", "");
     } else if (unit[0] != '\0') {
-        fprintf(out, " <small>%s</small>", unit);
+        clod_writer_mark(out, " <small>", " ");
+        clod_writer_text(out, unit);
+        clod_writer_mark(out, "</small>", "");
     }
     if (known && isfinite(scatter) && scatter > 0.0) {
-        put_small(out, "(s ", how, scatter);
-        fputs(")</small>", out);
+        clod_writer_mark(out, " <small>(s ", " (s ");
+        put_small(out, how, scatter);
+        clod_writer_mark(out, ")</small>", ")");
     }
 }
 

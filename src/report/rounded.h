@@ -7,6 +7,8 @@
 
 #include <stdio.h>
 
+#include "report/writer.h"
+
 #define CLOD_ROUNDED_SHORT 99 ///< digits of a value without an error: four, wherever they are
 
 /** How numbers that stand side by side are written. */
@@ -28,10 +30,10 @@ clod_rounded clod_rounded_of(double value, double error, int digits);
 void clod_rounded_text(char text[48], clod_rounded how, double number);
 
 /**
- * Write a value, " ± error", its unit and " (s scatter)" as HTML; those that are not finite are left out,
- * and an error that is none. @param unit  HTML; "": none
+ * Write a value, " ± error", its unit and " (s scatter)", small on a page; those that are not finite are left out, and an
+ * error that is none. @param unit  "": none
  */
-void clod_rounded_put(FILE *out, double value, double error, double scatter, int digits,
+void clod_rounded_put(clod_writer out, double value, double error, double scatter, int digits,
                       const char *unit);
 
 /** Begin an element whose title is the whole value, with its error and unit where there are any. */

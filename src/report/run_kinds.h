@@ -10,6 +10,7 @@
 #include "analysis/measured_header.h"
 #include "report/run_files.h"
 #include "report/sheet.h"
+#include "report/writer.h"
 
 struct clod_run_kind {
     const char *text; ///< for people
@@ -27,9 +28,9 @@ struct clod_run_kind {
     json_t *(*lab)(const char *path, clod_status *status);
     clod_measured_stress stress; ///< of such a table
 
-    /** The table of a comparison. Errors  CLOD_FAILED: no memory. */
-    bool (*results)(FILE *out, const clod_run_files *runs, size_t count, const json_t *lab,
-                    clod_status *status);
+    /** The tables of a comparison. Errors  CLOD_FAILED: no memory. */
+    bool (*results)(clod_writer out, const clod_run_files *runs, size_t count,
+                    const json_t *lab, clod_status *status);
 
     /** The figures of a comparison. Errors  as put; CLOD_FAILED: no memory. */
     bool (*figures)(clod_sheet *sheet, const clod_run_files *runs, size_t count,

@@ -16,34 +16,25 @@ double clod_shear_number(const json_t *object, const char *key)
 }
 
 const clod_result_row CLOD_SHEAR_ROWS[CLOD_SHEAR_ROW_COUNT] = {
-    {"sigma_p_Pa", "preshear normal stress", "&sigma;<sub>pre</sub>", "kPa", 1e-3, 3, NULL,
-     NULL, false},
-    {"tau_p_Pa", "preshear shear stress", "&tau;<sub>pre</sub>", "kPa", 1e-3, 3, NULL, NULL,
-     false},
-    {"sigma_1_Pa", "major principal stress", "&sigma;<sub>1</sub>", "kPa", 1e-3, 3, NULL, NULL,
-     false},
-    {"sigma_2_Pa", "minor principal stress", "&sigma;<sub>2</sub>", "kPa", 1e-3, 3, NULL, NULL,
-     false},
-    {"sigma_c_Pa", "unconfined yield strength", "&sigma;<sub>c</sub>", "kPa", 1e-3, 3, NULL,
-     NULL, false},
-    {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "", 1.0, 2,
-     NULL, NULL, false},
+    {"sigma_p_Pa", "preshear normal stress", "sigma_pre", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"tau_p_Pa", "preshear shear stress", "tau_pre", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"sigma_1_Pa", "major principal stress", "sigma_1", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"sigma_2_Pa", "minor principal stress", "sigma_2", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"sigma_c_Pa", "unconfined yield strength", "sigma_c", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"ffc", "flowability $sigma_1$/$sigma_c$", "ff_c", "", 1.0, 2, NULL, NULL, false},
     {"c_Pa", "cohesion", "c", "kPa", 1e-3, 3, NULL, NULL, false},
-    {"phi_lin_deg", "angle of the yield locus", "&phi;<sub>lin</sub>", "deg", 1.0, 2, NULL,
-     NULL, false},
-    {"phi_e_deg", "effective angle of friction", "&phi;<sub>e</sub>", "deg", 1.0, 2, NULL, NULL,
+    {"phi_lin_deg", "angle of the yield locus", "phi_lin", "deg", 1.0, 2, NULL, NULL, false},
+    {"phi_e_deg", "effective angle of friction", "phi_e", "deg", 1.0, 2, NULL, NULL, false},
+    {"phi_sf_deg", "angle of friction at steady flow", "phi_sf", "deg", 1.0, 2, NULL, NULL,
      false},
-    {"phi_sf_deg", "angle of friction at steady flow", "&phi;<sub>sf</sub>", "deg", 1.0, 2,
-     NULL, NULL, false},
-    {"rho_b_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 1, NULL,
-     "not given", false},
-    {"rho_inside_kg_m3", "bulk density away from walls", "&rho;<sub>inside</sub>", "kg/m&sup3;",
-     1.0, 1, NULL, "", false},
+    {"rho_b_kg_m3", "bulk density", "rho_b", "kg/m\u00b3", 1.0, 1, NULL, "not given", false},
+    {"rho_inside_kg_m3", "bulk density away from walls", "rho_inside", "kg/m\u00b3", 1.0, 1,
+     NULL, "", false},
     {CLOD_SHEAR_POINTS_WAY, "way of preshear at its end", "", "mm", 1e3, 1, NULL, "", false},
     {CLOD_SHEAR_POINTS_SLOPE, "slope of the shear stress there", "", "kPa/mm", 1e-6, 2, NULL,
      "", false},
     {"flow", "flow (Jenike)", "", "", 1.0, 0, NULL, NULL, true},
-    {"r_squared", "fit of the line", "r&sup2;", "", 1.0, 4, NULL, "-", false},
+    {"r_squared", "fit of the line", "r\u00b2", "", 1.0, 4, NULL, "-", false},
 };
 
 const clod_result_row *clod_shear_row_of(const char *key)
@@ -110,7 +101,8 @@ static void put_table(FILE *out, const clod_shear_loci *sets, size_t count)
 {
     clod_result_of of[CLOD_SHEAR_MOST] = {{.name = NULL}};
     const size_t used = clod_shear_list(sets, count, of);
-    clod_result_table_put(out, CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, of, used);
+    clod_result_table_put(clod_writer_page(out), CLOD_SHEAR_ROWS, CLOD_SHEAR_ROW_COUNT, of,
+                          used);
     put_notes(out, sets, count);
 }
 
@@ -134,7 +126,7 @@ bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *
     if (count > 0) {
         clod_html_section(sheet->body, "results", "Results");
         put_table(sheet->body, sets, count);
-        clod_shear_lab_density(sheet->body, lab, run, 1);
+        clod_shear_lab_density(clod_writer_page(sheet->body), lab, run, 1);
         clod_shear_figures(sheet, sets, count);
         clod_shear_points_put(sheet->body, run->summary, sets, count);
     }

@@ -36,7 +36,7 @@ json_t *clod_shear_lab(const char *path, clod_status *status);
 json_t *clod_shear_lab_beside(const json_t *lab, const clod_run_files *runs, size_t count);
 
 /** Say below a table with a laboratory's bulk density which one of a run's it is to be compared with. */
-void clod_shear_lab_density(FILE *out, const json_t *lab, const clod_run_files *runs,
+void clod_shear_lab_density(clod_writer out, const json_t *lab, const clod_run_files *runs,
                             size_t count);
 
 /** Results, yield loci, curves of a run, with the laboratory's loci laid over (NULL: none).
@@ -45,8 +45,7 @@ bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *
                     clod_status *status);
 
 /**
- * Warn of points of a laboratory at a preshear stress that the run does not have, one list item each;
- * how many. @param out  NULL: only count them
+ * Warn of points of a laboratory at a preshear stress that the run does not have, each text with a 0 at its end; how many.
  * Test  tests/report/test_page.py
  */
 size_t clod_shear_lab_warnings(FILE *out, const clod_run_files *run, const json_t *lab);

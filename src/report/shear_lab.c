@@ -7,7 +7,6 @@
 
 #include "analysis/study_file.h"
 #include "clod/locus.h"
-#include "report/html.h"
 #include "report/shear.h"
 #include "report/shear_rows.h"
 
@@ -73,9 +72,7 @@ size_t clod_shear_lab_warnings(FILE *out, const clod_run_files *run, const json_
             "%.3f kPa: strength, cohesion, angles and density belong to the preshear stress "
             "and cannot be compared across it.",
             1e-3 * stress, 1e-3 * own);
-        if (out != NULL) {
-            clod_html_cell(out, "li", text);
-        }
+        fprintf(out, "%s%c", text, '\0');
         count++;
     }
     return count;
@@ -151,34 +148,38 @@ json_t *clod_shear_lab_beside(const json_t *lab, const clod_run_files *runs, siz
     return self;
 }
 
-void clod_shear_lab_density(FILE *out, const json_t *lab, const clod_run_files *runs,
+void clod_shear_lab_density(clod_writer out, const json_t *lab, const clod_run_files *runs,
                             size_t count)
 {
     if (lab == NULL || !tells(lab, "rho_b_kg_m3")) {
         return;
     }
-    fputs("<p class=\"note\">", out);
+    clod_writer_mark(out, "<p class=\"note\">", "");
     if (!one_tells_inside(runs, count)) {
-        fputs(
-            "&rho;<sub>b</sub> of the simulation is of its whole cell, and grains at walls are "
-            "packed more loosely: compare it with the laboratory's only if that is of a cell "
-            "with as few grains across. The simulated cell has too few to tell "
-            "&rho;<sub>inside</sub>, the density away from its walls.",
-            out);
+        clod_writer_words(
+            out,
+            "$rho_b$ of the simulation is of its whole cell, and grains at walls are packed more "
+            "loosely: compare it with the laboratory's only if that is of a cell with as few "
+            "grains across. The simulated cell has too few to tell $rho_inside$, the density "
+            "away from its walls.");
     } else if (tells(lab, "rho_inside_kg_m3")) {
-        fputs(
-            "The laboratory's table has both densities: each stands beside the simulation's of "
-            "the same name.",
-            out);
+        clod_writer_text(out,
+                         "The laboratory's table has both densities: each stands beside the "
+                         "simulation's of the same name.");
     } else {
-        fputs(
-            "The laboratory's bulk density stands beside both of the simulation, of which one "
-            "is to be compared with it. <strong>If its grains are far smaller than its "
-            "cell</strong>, as those of a powder, that is &rho;<sub>inside</sub>: "
-            "&rho;<sub>b</sub> is of the whole simulated cell, and grains at walls are packed "
-            "more loosely. <strong>If its cell has as few grains across as the simulated "
-            "one</strong>, it is &rho;<sub>b</sub>.",
-            out);
+        clod_writer_text(out, "The laboratory's bulk density stands beside both of the "
+                              "simulation, of which one is to be compared with it. ");
+        clod_writer_mark(out, "<strong>", "");
+        clod_writer_text(out, "If its grains are far smaller than its cell");
+        clod_writer_mark(out, "</strong>", "");
+        clod_writer_words(out,
+                          ", as those of a powder, that is $rho_inside$: $rho_b$ is of the "
+                          "whole simulated cell, and grains at walls are packed more "
+                          "loosely. ");
+        clod_writer_mark(out, "<strong>", "");
+        clod_writer_text(out, "If its cell has as few grains across as the simulated one");
+        clod_writer_mark(out, "</strong>", "");
+        clod_writer_words(out, ", it is $rho_b$.");
     }
-    fputs("</p>\n", out);
+    clod_writer_mark(out, "</p>\n", "\n");
 }

@@ -148,7 +148,7 @@ static void put_stress(FILE *out, const json_t *from, const char *key, double er
     const double value = clod_shear_number(from, key);
     clod_rounded_begin(out, "td", value, error, "Pa");
     if (isfinite(value)) {
-        clod_rounded_put(out, 1e-3 * value, 1e-3 * error, (double)NAN, 3, "");
+        clod_rounded_put(clod_writer_page(out), 1e-3 * value, 1e-3 * error, (double)NAN, 3, "");
     }
     fputs("</td>", out);
 }

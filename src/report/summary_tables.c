@@ -251,7 +251,8 @@ static void put_number(FILE *out, double value, double error, const char *unit)
     const bool whole = value == round(value) && fabs(value) < 1e15;
     clod_rounded_begin(out, "td", value, error, unit);
     if (error > 0.0) {
-        clod_rounded_put(out, value, error, (double)NAN, CLOD_ROUNDED_SHORT, "");
+        clod_rounded_put(clod_writer_page(out), value, error, (double)NAN, CLOD_ROUNDED_SHORT,
+                         "");
     } else {
         fprintf(out, whole ? "%.0f" : "%.4g", value);
     }

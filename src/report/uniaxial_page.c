@@ -15,17 +15,14 @@
 #define MOST_STRESSES 64
 
 const clod_result_row CLOD_UNIAXIAL_ROWS[CLOD_UNIAXIAL_ROW_COUNT] = {
-    {"sigma_1_Pa", "major principal stress", "&sigma;<sub>1</sub>", "kPa", 1e-3, 3, NULL, NULL,
-     false},
-    {"sigma_c_Pa", "unconfined yield strength", "&sigma;<sub>c</sub>", "kPa", 1e-3, 3,
-     "sigma_c_error_Pa", NULL, false},
-    {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "", 1.0, 2,
-     NULL, NULL, false},
-    {"strain_at_peak", "strain at the peak", "", "%", 100.0, 2, NULL, NULL, false},
-    {"bulk_density_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 0, NULL,
+    {"sigma_1_Pa", "major principal stress", "sigma_1", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"sigma_c_Pa", "unconfined yield strength", "sigma_c", "kPa", 1e-3, 3, "sigma_c_error_Pa",
      NULL, false},
-    {"inside_density_kg_m3", "bulk density away from walls", "&rho;<sub>inside</sub>",
-     "kg/m&sup3;", 1.0, 0, NULL, "", false},
+    {"ffc", "flowability $sigma_1$/$sigma_c$", "ff_c", "", 1.0, 2, NULL, NULL, false},
+    {"strain_at_peak", "strain at the peak", "", "%", 100.0, 2, NULL, NULL, false},
+    {"bulk_density_kg_m3", "bulk density", "rho_b", "kg/m\u00b3", 1.0, 0, NULL, NULL, false},
+    {"inside_density_kg_m3", "bulk density away from walls", "rho_inside", "kg/m\u00b3", 1.0, 0,
+     NULL, "", false},
     {"solid_fraction", "solid fraction", "", "", 1.0, 4, NULL, NULL, false},
     {"void_ratio", "void ratio", "e", "", 1.0, 4, NULL, NULL, false}};
 
@@ -46,7 +43,8 @@ static void put_results(FILE *out, const json_t *strengths)
             count++;
         }
     }
-    clod_result_table_put(out, CLOD_UNIAXIAL_ROWS, CLOD_UNIAXIAL_ROW_COUNT, of, count);
+    clod_result_table_put(clod_writer_page(out), CLOD_UNIAXIAL_ROWS, CLOD_UNIAXIAL_ROW_COUNT,
+                          of, count);
 }
 
 static void put_flow_function(clod_sheet *sheet, const json_t *strengths)

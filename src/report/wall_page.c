@@ -21,10 +21,10 @@ typedef clod_wall_page_locus locus;
 // ---- numbers
 
 const clod_result_row CLOD_WALL_PAGE_ROWS[CLOD_WALL_PAGE_ROW_COUNT] = {
-    {"phi_w_deg", "kinematic angle of wall friction", "&phi;<sub>w</sub>", "deg", 1.0, 2, NULL,
-     NULL, false},
-    {"tau_ad_Pa", "wall adhesion", "&tau;<sub>ad</sub>", "kPa", 1e-3, 3, NULL, NULL, false},
-    {"r_squared", "fit of the line", "r&sup2;", "", 1.0, 4, NULL, "-", false},
+    {"phi_w_deg", "kinematic angle of wall friction", "phi_w", "deg", 1.0, 2, NULL, NULL,
+     false},
+    {"tau_ad_Pa", "wall adhesion", "tau_ad", "kPa", 1e-3, 3, NULL, NULL, false},
+    {"r_squared", "fit of the line", "r\u00b2", "", 1.0, 4, NULL, "-", false},
 };
 #define CARDS 2 ///< of the rows
 
@@ -78,7 +78,8 @@ static void put_cell(FILE *out, const json_t *point, const char *key, const char
     const double error = error_key != NULL ? clod_shear_number(point, error_key) : (double)NAN;
     clod_rounded_begin(out, "td", value, error, unit);
     if (isfinite(value)) {
-        clod_rounded_put(out, factor * value, factor * error, (double)NAN, digits, "");
+        clod_rounded_put(clod_writer_page(out), factor * value, factor * error, (double)NAN,
+                         digits, "");
     }
     fputs("</td>", out);
 }
@@ -217,8 +218,8 @@ bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json
         clod_html_section(sheet->body, "results", "Results");
         const clod_result_of of[2] = {{.name = loci[0].of, .from = loci[0].locus},
                                       {.name = loci[1].of, .from = loci[1].locus}};
-        clod_result_table_put(sheet->body, CLOD_WALL_PAGE_ROWS, CLOD_WALL_PAGE_ROW_COUNT, of,
-                              count);
+        clod_result_table_put(clod_writer_page(sheet->body), CLOD_WALL_PAGE_ROWS,
+                              CLOD_WALL_PAGE_ROW_COUNT, of, count);
         put_notes(sheet->body, loci, count);
         clod_wall_page_figures(sheet, loci, count);
         put_points(sheet->body, loci, count);

@@ -28,7 +28,18 @@ class Compare(pages.PageCase):
     def compare(self, *names):
         done = clod.run("compare", *names, "-o", "page.html", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.shown = done.stdout
         return pages.load(self.path("page.html"))
+
+    def assert_shown(self, page):
+        """The terminal has the warnings of the page first, each a line, and then an empty one; the lines."""
+        told = page.text[page.text.index('id="warnings"'):page.text.index("</section>")].replace("the numbers of each", "")
+        told = re.split("<li>|(?=<h3>)", told)[1:]
+        shown = self.shown[:self.shown.index("\n\n  quantity")].split("\n")
+        self.assertEqual(shown[0], "Warnings")
+        self.assertEqual([re.sub("^(- |    )", "", line) for line in shown[1:] if line],
+                         [html.unescape(re.sub("<[^>]*>", "", text)).strip() for text in told])
+        return shown
 
     def column(self, page, head):
         """Cells of a column of the table of results, by the first cell of each row."""
@@ -223,7 +234,7 @@ class Compare(pages.PageCase):
         for name, cells in wanted.items():
             self.assertIn([name, *cells], shown)
         self.assertEqual(done.stdout.split("\n")[-3:],
-                         ["Warnings of the runs, curves, and what differs between the cases:", "compare.html", ""])
+                         ["Curves, and what differs between the cases:", "compare.html", ""])
 
     def test_curves_of_free_runs_have_names_in_words(self):
         for name, density in (("one", "2500"), ("two", "2600")):
@@ -263,6 +274,30 @@ class Compare(pages.PageCase):
             self.assertIn(f"{name}: " + RISING % number, words)
         self.assertIn("a, c: point-4: no peak", words)
         self.assertEqual(words.count("no peak"), 1)
+        self.assertEqual(self.assert_shown(page),
+                         ["Warnings", f"- All 3 runs: {RISING % '0.75 ± 0.2'} (as a has it)", f"    a: {RISING % '0.75 ± 0.2'}",
+                          f"    b: {RISING % '1.5 ± 0.02'}", f"    c: {RISING % '1.5 ± 0.02'}", "- a, c: point-4: no peak"])
+
+    def test_warnings_in_the_terminal(self):
+        """They are grouped as on the page; those of a laboratory's points have a heading."""
+        parts = [{"part": part, "seed": 1} for part in ("point-1", "point-2")]
+        self.shear("one", 1, parts=parts, warnings=["point-1: overlap 3 %", "point-2: overlap 4 %", 'a <b> & "c" &lt;'])
+        self.shear("two", 2)
+        self.assertEqual(self.assert_shown(self.compare("one", "two")),
+                         ["Warnings", "- one: point-1: overlap 3 % (the first of 2)", "    one: point-1: overlap 3 %",
+                          "    one: point-2: overlap 4 %", '- one: a <b> & "c" &lt;'])
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(pages.LAB.replace("10,7.2", "20,14.4"))  # a shear at 3 kPa is below a fifth of 20 kPa
+        shown = self.assert_shown(self.compare("one", "two", "--lab", "lab.csv"))
+        self.assertTrue(shown[5].startswith("- All 2 runs: The laboratory's points are at a preshear stress of 20.000 kPa"), shown)
+        self.assertEqual(shown[6:8], ["", "Laboratory points"])
+        self.assertTrue(shown[8].startswith("- Yield locus at a preshear stress of 20.000 kPa: Shear at 3.000 kPa is outside"), shown)
+
+    def test_a_warning_does_not_spoil_the_terminal(self):
+        pages.free_run(self.path("one"), gauges={}, warnings=["odd \x1b[31m\tname\n"])
+        pages.free_run(self.path("two"), gauges={})
+        self.compare("one", "two")
+        self.assertTrue(self.shown.startswith("Warnings\n- one: odd ?[31m?name?\n\n  quantity "), self.shown)
 
     def test_where_it_comes_from(self):
         self.shear("one", 1)
@@ -286,6 +321,11 @@ class Compare(pages.PageCase):
         self.shear("one", 1)
         self.shear("two", 2)
         self.assertIn("No warnings.", "".join(self.compare("one", "two").words))
+        self.assertTrue(self.shown.startswith("No warnings.\n\n  quantity "), self.shown)
+        for name in ("three", "four"):
+            pages.free_run(self.path(name), gauges={})  # nothing was checked
+        self.assertNotIn("No warnings", "".join(self.compare("three", "four").words))
+        self.assertTrue(self.shown.startswith("  quantity "), self.shown)
 
     def test_more_measures_than_the_table_has(self):
         """A table has 64 objects of each run: of 70 gauges those are named, and the page says that there are more."""

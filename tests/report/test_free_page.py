@@ -143,7 +143,7 @@ class FreePage(pages.PageCase):
             pages.free_run(self.path("run"), gauges={}, residence={"grains": 12, "mean_s": 1.3156, "deviation_s": spread, "classes": []})
             self.made("report", "run")
             page = self.page("run/report.html")
-            self.assertEqual(page.text.count("&plusmn; standard deviation of the times of the grains that left"), notes)
+            self.assertEqual(page.text.count("± standard deviation of the times of the grains that left"), notes)
             self.assertNotIn("ten blocks", page.text)
 
     def test_more_outlets_than_a_table_holds(self):

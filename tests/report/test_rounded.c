@@ -18,7 +18,7 @@ static char *written(double value, double error, double scatter, int digits)
     clod_text text;
     FILE *out = clod_text_open(&text);
     assert_non_null(out);
-    clod_rounded_put(out, value, error, scatter, digits, "");
+    clod_rounded_put(clod_writer_page(out), value, error, scatter, digits, "");
     return clod_text_close(&text);
 }
 
