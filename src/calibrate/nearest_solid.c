@@ -6,7 +6,11 @@
 
 #include "calibrate/nearest_solid.h"
 
+#include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_multifit_nlinear.h>
 #include <math.h>
 #include <string.h>
 
@@ -19,10 +23,10 @@
     1.25 ///< tau_p over the height of the locus, at most: a specimen of cases/lab-to-outlet has 1.15
 #define STARTS 4         ///< along each coordinate
 #define STEPS 80         ///< of one descent, at most
-#define STIFF 1e12       ///< damping that no step comes through
-#define SETTLED 1e-9     ///< relative, of chi-square
-#define DIFFERENCE 1e-6  ///< of a coordinate, for derivatives
-#define INDEPENDENT 1e-7 ///< square of how far a direction must be from those of other numbers
+#define SETTLED 1e-9     ///< relative, of the angles
+#define FLAT 1e-12       ///< relative, of the gradient
+#define AT_END 1e-3      ///< derivative of a coordinate over its angle
+#define INDEPENDENT 3e-4 ///< how far a direction must be from those of other numbers
 
 /** A possible solid; SI. */
 typedef struct solid {
@@ -37,6 +41,7 @@ typedef struct search {
     bool above; ///< preshear is on the locus or above it, else on it or below
     clod_nearest_number *numbers;
     size_t count;
+    double best[UNKNOWNS], least; ///< angles and chi-square of the nearest solid
 } search;
 
 /**
@@ -155,205 +160,112 @@ static double number_of(const clod_nearest_number *number, const solid *of)
 
 // ---- least squares
 
-static double chi_square(const search *self, const double *at)
+/** The coordinates are squares of sines of angles, so that no step leaves the cube. */
+static void place(const gsl_vector *angles, double *at)
 {
+    for (size_t k = 0; k < UNKNOWNS; k++) {
+        at[k] = pow(sin(gsl_vector_get(angles, k)), 2.0);
+    }
+}
+
+/** Differences over their errors; zeros behind them, since GSL wants as many as there are unknowns. */
+static int compare(const gsl_vector *angles, void *context, gsl_vector *off)
+{
+    const search *self = context;
+    double at[UNKNOWNS];
+    place(angles, at);
     const solid of = make(self, at);
-    double sum = 0.0;
+    gsl_vector_set_zero(off);
     for (size_t k = 0; k < self->count; k++) {
         const clod_nearest_number *one = &self->numbers[k];
-        const double off = (number_of(one, &of) - one->value) / one->error;
-        sum += off * off;
+        gsl_vector_set(off, k, (number_of(one, &of) - one->value) / one->error);
     }
-    return sum;
+    return GSL_SUCCESS;
 }
 
-/** Equations of a step: square times step = right. */
-typedef struct equations {
-    double square[UNKNOWNS][UNKNOWNS], right[UNKNOWNS];
-} equations;
-
-/** Derivatives of a number over the coordinates; `beside` are the solids next to `of`. */
-static void derive(const clod_nearest_number *one, const solid *of, const solid *beside,
-                   const double *difference, double *slopes)
+/** Levenberg and Marquardt from angles. @return chi-square where it ends */
+static double descend(search *self, const double *angles, gsl_multifit_nlinear_workspace *by)
 {
-    for (size_t k = 0; k < UNKNOWNS; k++) {
-        slopes[k] = (number_of(one, &beside[k]) - number_of(one, of)) / difference[k];
-    }
+    gsl_multifit_nlinear_fdf of = {
+        .f = compare, .n = by->f->size, .p = UNKNOWNS, .params = self};
+    const gsl_vector_const_view from = gsl_vector_const_view_array(angles, UNKNOWNS);
+    int why;
+    double chi_square;
+    gsl_multifit_nlinear_init(&from.vector, &of, by);
+    gsl_multifit_nlinear_driver(STEPS, SETTLED, FLAT, 0.0, NULL, NULL, &why, by);
+    gsl_blas_ddot(by->f, by->f, &chi_square);
+    return chi_square;
 }
 
-/** The solids next to one, inside the cube. */
-static void look_beside(const search *self, const double *at, solid *beside, double *difference)
+/** Least chi-square from many places, and where it is. */
+static void search_all(search *self, gsl_multifit_nlinear_workspace *by)
 {
-    for (size_t k = 0; k < UNKNOWNS; k++) {
-        double there[UNKNOWNS];
-        memcpy(there, at, sizeof there);
-        difference[k] = at[k] < 0.5 ? DIFFERENCE : -DIFFERENCE;
-        there[k] += difference[k];
-        beside[k] = make(self, there);
-    }
-}
-
-static void add(equations *to, const double *slopes, double off)
-{
-    for (size_t k = 0; k < UNKNOWNS; k++) {
-        to->right[k] -= slopes[k] * off;
-        for (size_t m = 0; m < UNKNOWNS; m++) {
-            to->square[k][m] += slopes[k] * slopes[m];
+    self->least = HUGE_VAL;
+    for (int k = 0; k < STARTS * STARTS * STARTS; k++) {
+        double angles[UNKNOWNS];
+        for (int m = 0, rest = k; m < UNKNOWNS; m++, rest /= STARTS) {
+            angles[m] = (rest % STARTS + 0.5) / STARTS * M_PI_2;
         }
-    }
-}
-
-static equations linearise(const search *self, const double *at)
-{
-    equations made = {0};
-    solid beside[UNKNOWNS];
-    double difference[UNKNOWNS], slopes[UNKNOWNS];
-    const solid of = make(self, at);
-    look_beside(self, at, beside, difference);
-    for (size_t n = 0; n < self->count; n++) {
-        const clod_nearest_number *one = &self->numbers[n];
-        derive(one, &of, beside, difference, slopes);
-        for (size_t k = 0; k < UNKNOWNS; k++) {
-            slopes[k] /= one->error;
-        }
-        add(&made, slopes, (number_of(one, &of) - one->value) / one->error);
-    }
-    return made;
-}
-
-/** Whether a coordinate stays at an end of its range. */
-static bool is_held(const equations *self, const double *at, size_t k)
-{
-    return (at[k] <= 0.0 && self->right[k] < 0.0) || (at[k] >= 1.0 && self->right[k] > 0.0);
-}
-
-static void drop(equations *self, size_t k)
-{
-    for (size_t m = 0; m < UNKNOWNS; m++) {
-        self->square[k][m] = self->square[m][k] = 0.0;
-    }
-    self->right[k] = 0.0;
-}
-
-/** Solve in place, the largest pivot first; how many are above the least. */
-static size_t solve(equations *self, double least)
-{
-    bool done[UNKNOWNS] = {false};
-    size_t rank = 0;
-    for (size_t p = 0; p < UNKNOWNS;) {
-        p = UNKNOWNS;
-        for (size_t k = 0; k < UNKNOWNS; k++) {
-            const double pivot = self->square[k][k];
-            p = !done[k] && pivot > least && (p == UNKNOWNS || pivot > self->square[p][p]) ? k
-                                                                                           : p;
-        }
-        for (size_t k = 0; p < UNKNOWNS && k < UNKNOWNS; k++) {
-            const double times = k != p ? self->square[k][p] / self->square[p][p] : 0.0;
+        const double found = descend(self, angles, by);
+        if (k == 0 || found < self->least) {
+            self->least = found;
             for (size_t m = 0; m < UNKNOWNS; m++) {
-                self->square[k][m] -= times * self->square[p][m];
+                self->best[m] = gsl_vector_get(by->x, m);
             }
-            self->right[k] -= times * self->right[p];
-        }
-        if (p < UNKNOWNS) {
-            done[p] = true;
-            rank++;
         }
     }
+}
+
+/** Directions in which a fit can still move its numbers: those of their derivatives over the coordinates that are at no end of their
+ *  range, of each number with a length of 1. The derivatives of the fit are lost. */
+static size_t rank_of(gsl_multifit_nlinear_workspace *by)
+{
+    double other[UNKNOWNS * UNKNOWNS], values[UNKNOWNS];
+    gsl_matrix_view turned = gsl_matrix_view_array(other, UNKNOWNS, UNKNOWNS);
+    gsl_vector_view lengths = gsl_vector_view_array(values, UNKNOWNS);
     for (size_t k = 0; k < UNKNOWNS; k++) {
-        self->right[k] = done[k] ? self->right[k] / self->square[k][k] : 0.0;
+        const double rate = sin(2.0 * gsl_vector_get(by->x, k)); // of the coordinate, place()
+        gsl_vector_view column = gsl_matrix_column(by->J, k);
+        gsl_vector_scale(&column.vector, fabs(rate) > AT_END ? 1.0 / rate : 0.0);
+    }
+    for (size_t n = 0; n < by->J->size1; n++) {
+        gsl_vector_view row = gsl_matrix_row(by->J, n);
+        const double length = gsl_blas_dnrm2(&row.vector);
+        gsl_vector_scale(&row.vector, length > 0.0 ? 1.0 / length : 0.0);
+    }
+    gsl_linalg_SV_decomp_jacobi(by->J, &turned.matrix, &lengths.vector);
+    size_t rank = 0;
+    for (size_t k = 0; k < UNKNOWNS; k++) {
+        rank += values[k] > INDEPENDENT ? 1 : 0;
     }
     return rank;
 }
 
-/** Levenberg and Marquardt from a place, within the cube; the least chi-square. */
-static double descend(const search *self, double *at)
-{
-    double damping = 1e-3;
-    double least = chi_square(self, at);
-    for (int step = 0; step < STEPS && damping < STIFF; step++) {
-        equations of = linearise(self, at);
-        for (size_t k = 0; k < UNKNOWNS; k++) {
-            if (is_held(&of, at, k)) {
-                drop(&of, k);
-            }
-            of.square[k][k] *= 1.0 + damping;
-        }
-        solve(&of, 0.0);
-        double there[UNKNOWNS];
-        for (size_t k = 0; k < UNKNOWNS; k++) {
-            there[k] = fmin(fmax(at[k] + of.right[k], 0.0), 1.0);
-        }
-        const double found = chi_square(self, there);
-        damping *= found < least ? 0.1 : 10.0;
-        if (found < least) {
-            const bool settled = least - found <= SETTLED * least;
-            least = found;
-            memcpy(at, there, sizeof there);
-            if (settled) {
-                break;
-            }
-        }
-    }
-    return least;
-}
-
-/** Degrees of freedom at the least chi-square: numbers less the directions in which the fit could still move them. */
-static double freedom_of(const search *self, const double *at)
-{
-    equations sum = {0};
-    solid beside[UNKNOWNS];
-    double difference[UNKNOWNS], slopes[UNKNOWNS];
-    const equations here = linearise(self, at);
-    const solid of = make(self, at);
-    look_beside(self, at, beside, difference);
-    for (size_t n = 0; n < self->count; n++) {
-        derive(&self->numbers[n], &of, beside, difference, slopes);
-        double length = 0.0;
-        for (size_t k = 0; k < UNKNOWNS; k++) {
-            slopes[k] = is_held(&here, at, k) ? 0.0 : slopes[k];
-            length = hypot(length, slopes[k]);
-        }
-        for (size_t k = 0; k < UNKNOWNS && length > 0.0; k++) {
-            slopes[k] /= length;
-        }
-        add(&sum, slopes, 0.0);
-    }
-    return (double)self->count - (double)solve(&sum, INDEPENDENT);
-}
-
-/** Least chi-square from many places, and where it is. */
-static double search_all(const search *self, double *best)
-{
-    double least = HUGE_VAL;
-    for (int k = 0; k < STARTS * STARTS * STARTS; k++) {
-        double at[UNKNOWNS];
-        for (int m = 0, rest = k; m < UNKNOWNS; m++, rest /= STARTS) {
-            at[m] = (rest % STARTS + 0.5) / STARTS;
-        }
-        const double found = descend(self, at);
-        if (k == 0 || found < least) {
-            least = found;
-            memcpy(best, at, sizeof at);
-        }
-    }
-    return least;
-}
-
 clod_nearest clod_nearest_fit(double preshear, clod_nearest_number *numbers, size_t count)
 {
-    const search below = {preshear, false, numbers, count};
-    const search above = {preshear, true, numbers, count};
-    double at[UNKNOWNS], there[UNKNOWNS];
-    const double least = search_all(&below, at);
-    const double other = search_all(&above, there);
-    const bool up = other < least;
-    const search *found = up ? &above : &below;
-    const double *best = up ? there : at;
-    const solid nearest = make(found, best);
+    gsl_set_error_handler_off(); // GSL's own ends the program
+    const gsl_multifit_nlinear_parameters usual = gsl_multifit_nlinear_default_parameters();
+    gsl_multifit_nlinear_workspace *by = gsl_multifit_nlinear_alloc(
+        gsl_multifit_nlinear_trust, &usual, count > UNKNOWNS ? count : UNKNOWNS, UNKNOWNS);
+    if (by == NULL) {
+        return (clod_nearest){(double)NAN, (double)NAN};
+    }
+    search below = {.preshear = preshear, .numbers = numbers, .count = count};
+    search above = below;
+    above.above = true;
+    search_all(&below, by);
+    search_all(&above, by);
+    search *found = above.least < below.least ? &above : &below;
+    descend(found, found->best, by); // for the derivatives there
+    double at[UNKNOWNS];
+    place(by->x, at);
+    const solid nearest = make(found, at);
     for (size_t k = 0; k < count; k++) {
         numbers[k].nearest = number_of(&numbers[k], &nearest);
     }
-    return (clod_nearest){up ? other : least, freedom_of(found, best)};
+    const double freedom = (double)count - (double)rank_of(by);
+    gsl_multifit_nlinear_free(by);
+    return (clod_nearest){found->least, freedom};
 }
 
 double clod_nearest_limit(double freedom)

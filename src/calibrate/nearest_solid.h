@@ -32,7 +32,7 @@ bool clod_nearest_has(const char *key);
  *
  * @param preshear  stress of preshear, > 0 [Pa]
  * @param numbers   [count] `nearest` is set
- * Errors  none.   Threads  pure; the same numbers give the same bits.
+ * Errors  chi_square is NAN: no memory.   Threads  pure; the same numbers give the same bits.
  * Source  docs/theory/calibration.md; yield-locus.md, equations 2 to 7.
  * Test    tests/calibrate/test_nearest_solid.c
  */

@@ -59,15 +59,18 @@ typedef struct numbers {
     const clod_plan_target **of; ///< [count] owned, with room for all targets
     clod_nearest_number *items;  ///< [count] likewise
     size_t count;
+    bool lost; ///< no memory
 } numbers;
 
-static bool init(numbers *self, const clod_plan *plan, size_t test)
+static void init(numbers *self, const clod_plan *plan, size_t test)
 {
     *self = (numbers){plan->tests[test].name,
                       clod_case_shear(plan->tests[test].middle)->preshear_stress,
                       clod_memory_alloc(plan->target_count, sizeof(const clod_plan_target *)),
-                      clod_memory_alloc(plan->target_count, sizeof(clod_nearest_number)), 0};
-    return self->of != NULL && self->items != NULL;
+                      clod_memory_alloc(plan->target_count, sizeof(clod_nearest_number)),
+                      0,
+                      false};
+    self->lost = self->of == NULL || self->items == NULL;
 }
 
 static void fini(numbers *self)
@@ -129,7 +132,7 @@ typedef struct distance {
     bool far;
 } distance;
 
-/** @param room  has room for the points */
+/** @param room  has room for the points; `lost` without memory, and then nothing is far */
 static distance measure(numbers *self, numbers *room)
 {
     take(room, self, self->count, true);
@@ -138,6 +141,7 @@ static distance measure(numbers *self, numbers *room)
     distance made = {all.chi_square - points.chi_square,
                      fmax(all.freedom - points.freedom, 1.0), false};
     made.far = made.chi_square > clod_nearest_limit(made.freedom);
+    room->lost = room->lost || isnan(made.chi_square);
     return made;
 }
 
@@ -314,13 +318,14 @@ void clod_plan_conflicts_shear(clod_loader *loader, clod_plan *self, size_t test
     const size_t before = loader->report->count;
     check_points(loader, self, test);
     numbers all, some, room;
-    bool made = init(&all, self, test);
-    made = init(&some, self, test) && made; // each, for fini
-    made = init(&room, self, test) && made;
+    init(&all, self, test);
+    init(&some, self, test);
+    init(&room, self, test);
+    const bool made = !all.lost && !some.lost && !room.lost;
     if (made && loader->report->count == before) {
         check(loader, self, test, &all, &some, &room);
     }
-    loader->report->lost = loader->report->lost || !made;
+    loader->report->lost = loader->report->lost || !made || room.lost;
     fini(&all);
     fini(&some);
     fini(&room);
