@@ -213,8 +213,12 @@ static void check_circles(clod_locus *locus)
             locus->sigma_p.value / KILO, locus->tau_p.value / KILO, at / KILO, least);
     }
     if (isnan(locus->phi_e.value)) {
-        clod_warnings_add(locus, "sigma_2 = %.3f kPa is tension: phi_e is undefined.",
-                          locus->sigma_2.value / KILO);
+        const double touch = clod_mohr_touch(locus->steady.centre, locus->steady.radius, t);
+        clod_warnings_add(locus, "sigma_2 = %.3f kPa is tension: phi_e is undefined.%s",
+                          locus->sigma_2.value / KILO,
+                          touch < 0.0 ? " The circle of steady flow touches the line in "
+                                        "tension too: sigma_1 and ffc do not hold."
+                                      : "");
     }
 }
 

@@ -25,7 +25,7 @@
 #define STEPS 80         ///< of one descent, at most
 #define SETTLED 1e-9     ///< relative, of the angles
 #define FLAT 1e-12       ///< relative, of the gradient
-#define AT_END 1e-3      ///< derivative of a coordinate over its angle
+#define AT_END 1e-3      ///< derivative of a coordinate over its angle; 1 in the middle
 #define INDEPENDENT 3e-4 ///< how far a direction must be from those of other numbers
 
 /** A possible solid; SI. */
@@ -38,16 +38,17 @@ typedef struct solid {
 /** Measured numbers that a solid is sought for. */
 typedef struct search {
     double preshear;
-    bool above; ///< preshear is on the locus or above it, else on it or below
+    bool above;  ///< preshear is on the locus or above it, else on it or below
+    bool angled; ///< a number is phi_e, which a circle that reaches into tension has not
     clod_nearest_number *numbers;
     size_t count;
     double best[UNKNOWNS], least; ///< angles and chi-square of the nearest solid
 } search;
 
 /**
- * phi_lin from 0 to 80 deg; tau_p from 0 to where the circle that touches the locus in preshear begins at 0. Below the locus the centre of
- * the circle goes from that of the circle that begins at 0 to that of the one that touches in preshear, or whose locus has no
- * cohesion; above it this last circle stays, and its locus falls.
+ * phi_lin and phi_sf from 0 to 80 deg, and with phi_e to where the circle that touches the locus in preshear begins at 0. Below the
+ * locus the centre of the circle goes from that of the circle that touches it at a normal stress of 0, or with phi_e begins at 0, to that
+ * of the one that touches in preshear, or whose locus has no cohesion; above it this last circle stays, and its locus falls.
  */
 static solid make(const search *self, const double *at)
 {
@@ -56,8 +57,11 @@ static solid make(const search *self, const double *at)
     solid made = {.phi_lin = at[0] * most, .stress = stress};
     made.t = tan(made.phi_lin);
     const double length = sqrt(1.0 + made.t * made.t);
-    made.tau_p = at[1] * stress * fmin(made.t + length, tan(most));
-    const double first = 0.5 * (stress + made.tau_p * made.tau_p / stress);
+    const double steepest = tan(most);
+    made.tau_p = at[1] * stress * (self->angled ? fmin(made.t + length, steepest) : steepest);
+    const double first = self->angled
+                             ? 0.5 * (stress + made.tau_p * made.tau_p / stress)
+                             : made.t * (hypot(length * stress, made.tau_p) - made.t * stress);
     const double last = clod_mohr_steady(0.0, made.t, stress, made.tau_p).centre;
     made.centre = self->above ? last : first + at[2] * (last - first);
     made.radius = hypot(made.centre - stress, made.tau_p);
@@ -251,6 +255,9 @@ clod_nearest clod_nearest_fit(double preshear, clod_nearest_number *numbers, siz
         return (clod_nearest){(double)NAN, (double)NAN};
     }
     search below = {.preshear = preshear, .numbers = numbers, .count = count};
+    for (size_t k = 0; k < count; k++) {
+        below.angled = below.angled || strcmp(numbers[k].key, "phi_e") == 0;
+    }
     search above = below;
     above.above = true;
     search_all(&below, by);

@@ -27,8 +27,9 @@ bool clod_nearest_has(const char *key);
 
 /**
  * The nearest solid: a straight yield locus with a cohesion of 0 or more and an angle of 0 to 80 deg, and a circle of
- * steady flow through preshear that begins at 0 or more and touches the locus, or, where preshear is above it by up to a quarter
- * (scatter), its parallel through preshear. Unknowns are phi_lin, tau_p and c.
+ * steady flow through preshear that touches the locus at a normal stress of 0 or more, or, where preshear is above it by up to a
+ * quarter (scatter), its parallel through preshear; phi_sf is 80 deg at most. Where one of the numbers is phi_e the circle has no
+ * tension. Unknowns are phi_lin, tau_p and c.
  *
  * @param preshear  stress of preshear, > 0 [Pa]
  * @param numbers   [count] `nearest` is set

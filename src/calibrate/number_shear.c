@@ -21,7 +21,7 @@ const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT] = {
     {"tau_p", CLOD_NUMBER_STRESS, false, NULL, NULL},
     {"tau", CLOD_NUMBER_STRESS, true, NULL, NULL}, // on the line, at its normal stress
     {"sigma_1", CLOD_NUMBER_STRESS, false, NULL, NULL},
-    {"sigma_2", CLOD_NUMBER_STRESS, false, NULL, NULL},
+    {"sigma_2", "Pa", {"kPa", 1e-3, 2}, -1e8, 1e8, false, NULL, NULL}, // tension below 0
     {"sigma_c", CLOD_NUMBER_STRESS, false, NULL, NULL},
     {"ffc", CLOD_NUMBER_RATIO, false, NULL, NULL},
     {"rho_b", CLOD_NUMBER_DENSITY, false, NULL, NULL},

@@ -96,8 +96,8 @@ static void warn_of_angle(clod_plan *self, const clod_plan_target *of, const ran
  *  HUGE_VAL: of another number. */
 static double most_stress(const char *number, double phi_sf)
 {
-    // The circle of steady flow goes through preshear. Its sigma_1 is largest with a cohesion of 0, sp/(1 - sin(phi_sf)). c
-    // is at most the radius of the circle that ends at the origin, sp/(2 cos(phi_sf)^2), and sigma_c its diameter.
+    // The circle of steady flow goes through preshear. Its sigma_1 is largest with a cohesion of 0, sp/(1 - sin(phi_sf)). Without
+    // tension c is at most the radius of the circle that ends at the origin, sp/(2 cos(phi_sf)^2), and sigma_c its diameter.
     const double steepest = cos(phi_sf) * cos(phi_sf);
     return strcmp(number, "c") == 0         ? 0.5 / steepest
            : strcmp(number, "sigma_c") == 0 ? 1.0 / steepest
@@ -134,7 +134,7 @@ static void warn_of_ffc(clod_plan *self, const clod_plan_target *of)
         clod_warning_list_add(
             &self->warnings,
             "targets.%zu: %s, %.3g, is below 1: a strength above the stress that consolidated it, as of "
-            "a solid that has set. Is it sigma_c/sigma_1?",
+            "a solid that does not flow, or has set. Is it sigma_c/sigma_1?",
             of->entry, of->name, of->value);
     }
 }

@@ -61,6 +61,23 @@ static void both_limits(void **state)
     }
 }
 
+// A circle through (10, tau_p) kPa that touches 9 kPa + sigma tan(30 deg) at 0 goes through (0, 9) kPa: its centre is
+// (10^2 + tau_p^2 - 9^2)/20 = 9 tan(30 deg), so tau_p = 9.215 kPa.
+static void circles_that_touch_in_tension(void **state)
+{
+    (void)state;
+    const double tau_p[] = {9.1e3, 9.3e3};
+    for (size_t k = 0; k < 2; k++) {
+        clod_locus_point points[4];
+        points_on_line(9e3, 30.0 * DEG, 10e3, tau_p[k], SIGMA, 4, points);
+        clod_locus locus = evaluate(points, 4);
+        assert_true(has_warning(&locus, "is tension: phi_e is undefined."));
+        assert_true(has_warning(&locus, "touches the line in tension too") == (k == 0));
+        assert_true((locus.ffc.value < 0.5) == (k == 0)); // half of the circle of sigma_c
+        clod_locus_fini(&locus);
+    }
+}
+
 // By hand: 1 kPa + 10 kPa tan 35 deg = 8.002 kPa.
 static void the_warning_says_what_to_do(void **state)
 {
@@ -140,6 +157,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steady_flow_has_the_top_of_its_circle),
         cmocka_unit_test(both_limits),
+        cmocka_unit_test(circles_that_touch_in_tension),
         cmocka_unit_test(the_warning_says_what_to_do),
         cmocka_unit_test(a_line_below_0_says_nothing_of_preshear),
         cmocka_unit_test(tables_are_refused_below_two_fifths),

@@ -82,6 +82,9 @@ static void stresses_of_a_shear_test(void **state)
     check(state, RING, NUMBER("sigma_c", "221.3 kPa", "1 kPa"), "has more than 219.2 kPa");
     check(state, RING, NUMBER("sigma_1", "411 kPa", "1 kPa"), NULL);
     check(state, RING, NUMBER("sigma_1", "411.1 kPa", "1 kPa"), "has more than 409 kPa");
+    check(state, RING, NUMBER("sigma_2", "-10 kPa", "1 kPa"), NULL);
+    check(state, RING, NUMBER("ffc", "0.81", "0.1"), NULL);
+    check(state, RING, NUMBER("ffc", "0.79", "0.1"), "ffc, 0.79, is below 1");
 }
 
 static void stresses_of_other_tests(void **state)
