@@ -228,9 +228,9 @@ static size_t rank_of(gsl_multifit_nlinear_workspace *by)
     gsl_matrix_view turned = gsl_matrix_view_array(other, UNKNOWNS, UNKNOWNS);
     gsl_vector_view lengths = gsl_vector_view_array(values, UNKNOWNS);
     for (size_t k = 0; k < UNKNOWNS; k++) {
-        const double slope = sin(2.0 * gsl_vector_get(by->x, k)); // of the coordinate, place()
+        const double rate = sin(2.0 * gsl_vector_get(by->x, k)); // of the coordinate, place()
         gsl_vector_view column = gsl_matrix_column(by->J, k);
-        gsl_vector_scale(&column.vector, fabs(slope) > AT_END ? 1.0 / slope : 0.0);
+        gsl_vector_scale(&column.vector, fabs(rate) > AT_END ? 1.0 / rate : 0.0);
     }
     for (size_t n = 0; n < by->J->size1; n++) {
         gsl_vector_view row = gsl_matrix_row(by->J, n);
