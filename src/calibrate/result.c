@@ -172,6 +172,7 @@ static void warn_targets(clod_result *self)
     for (size_t t = 0; t < from->target_count; t++) {
         const clod_posterior_target *one = &from->targets[t];
         const size_t all = self->study->points * (size_t)self->plan->seeds;
+        char reason[CLOD_RUNS_REASON];
         if (one->surrogate == NULL) {
             clod_warning_list_add(
                 &self->warnings,
@@ -182,8 +183,9 @@ static void warn_targets(clod_result *self)
         if (one->runs < all) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s: only %zu of %zu runs have this number; the others failed or do not define it.",
-                self->plan->targets[t].name, one->runs, all);
+                "%s: only %zu of %zu runs have this number; the others failed or do not define it%s%s.",
+                self->plan->targets[t].name, one->runs, all,
+                clod_runs_lacks(self->runs, t, reason) ? ", the first of these " : "", reason);
         }
         const clod_plan_target *of = &self->plan->targets[t];
         if (of->held_back && clod_result_misses(self, t)) {
@@ -353,6 +355,7 @@ void clod_result_warn(clod_result *self)
     }
 }
 
+    clod_runs_warn_zeros(self->runs, &self->warnings);
 char *clod_result_samples(const clod_result *self)
 {
     clod_text text;

@@ -339,6 +339,7 @@ class Calibrate(bounce.Bounce):
         done = self.calibrate(PLAN.replace("error: 4e-6}", "error: 4e-6}\n  - {test: bounce, number: residence.p50_s, value: 1 s, "
                                            "error: 1 s, held_back: true}"), "-o", "out")
         self.assertIn("bounce: residence.p50_s is not defined in the middle of all ranges", done.stderr)
+        self.assertIn("bounce: residence.p50_s is not defined in p000-1-bounce\n", done.stderr)
         self.assertEqual(self.rows()[0]["bounce: residence.p50_s [s]"], "")
         self.assertIsNone(self.found()["targets"][1]["model"])
 
