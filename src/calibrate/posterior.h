@@ -46,7 +46,8 @@ typedef struct clod_posterior_target {
 /** All in [0, 1] of the range. */
 typedef struct clod_posterior_parameter {
     double mean, deviation, low, high;
-    double width; ///< interval over that of the range: 1: the targets tell nothing
+    double
+        width; ///< interval over that of the range alone; above 1 where samples are at both ends
     double
         moved; ///< most that a used target's surrogate changes over the range, others at their means, over the
     ///< deviation of that change

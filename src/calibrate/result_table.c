@@ -64,7 +64,7 @@ static void put_parameters(FILE *out, const clod_result *self)
                 one->effective);
     }
     fputs(
-        "  width: of the interval over that of the range as given; 1: the targets tell nothing.\n"
+        "  width: of the interval over that of the range alone; 1 and more: the targets do not narrow it.\n"
         "  Of a range with scale: log the mean is that of the logarithm. card: what card.yaml has.\n",
         out);
     if (from->apart) {
