@@ -37,10 +37,13 @@ typedef struct clod_posterior_target {
     clod_surrogate_check check;
     bool checked;
     bool held_back;
-    double mean; ///< of the model, over the posterior; this and the next: NAN without surrogate
+    /** Of the model, over the posterior; this and the next: NAN without surrogate. Means, intervals and the card's value of an
+     *  amount end at 0. */
+    double mean;
     double low, high; ///< interval of what a laboratory would measure
     double off;       ///< (measured - mean) over its standard deviation
     double at_card;   ///< of the model, at the place of the card; NAN as the mean
+    double unsure;    ///< standard deviation of what the surrogate does not know of that
 } clod_posterior_target;
 
 /** All in [0, 1] of the range. */

@@ -342,6 +342,9 @@ static void warn_parameters(clod_result *self)
 void clod_result_warn(clod_result *self)
 {
     warn_targets(self);
+    if (!self->study->posterior->apart) {
+        clod_result_verdict_warn(self, &self->warnings);
+    }
     warn_stiff(self);
     warn_parameters(self);
     const size_t failed = clod_runs_failed(self->runs);
@@ -352,12 +355,12 @@ void clod_result_warn(clod_result *self)
     }
     clod_runs_warn(self->runs, &self->warnings);
     clod_runs_warn_outside(self->runs, &self->warnings);
+    clod_runs_warn_zeros(self->runs, &self->warnings);
     for (size_t k = 0; k < self->plan->warnings.count; k++) {
         clod_warning_list_add(&self->warnings, "%s", self->plan->warnings.text[k]);
     }
 }
 
-    clod_runs_warn_zeros(self->runs, &self->warnings);
 char *clod_result_samples(const clod_result *self)
 {
     clod_text text;
