@@ -240,13 +240,13 @@ static void warn_width(clod_result *self, size_t k)
             name, end, share);
     }
     clod_posterior_split split; // between separate answers there is a warning of its own
-    const bool wide = one->width >= WEAKLY_TOLD;
-    if (wide && !clod_posterior_is_split(self->study->posterior, k, &split)) {
+    if (one->width >= WEAKLY_TOLD &&
+        !clod_posterior_is_split(self->study->posterior, k, &split)) {
         clod_warning_list_add(
             &self->warnings,
             "These targets hardly narrow %s: its %.3g %% interval is %.0f %% as wide as if nothing were measured.",
             name, 100.0 * self->plan->sampling.level, 100.0 * one->width);
-    } else if (!wide && still) {
+    } else if (still) {
         clod_warning_list_add(
             &self->warnings,
             "These targets do not tell %s: over its range none changes by more than two deviations of its surrogate "
