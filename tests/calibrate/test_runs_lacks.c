@@ -62,9 +62,10 @@ static void run_without_the_number_is_told_with_the_words_of_its_report(void **s
     make(&all, state, PILE, "number: repose.heap.angle_deg, value: 34 deg, error: 1 deg");
     write_result(&all, 0, "/summary.json", "{\"repose\": {\"heap\": {\"angle_deg\": 31.5}}}");
     write_result(&all, 1, "/summary.json", "{\"repose\": {\"heap\": {\"angle_deg\": null}}}");
-    write_result(&all, 1, "/report.txt",
-                 "time 1 s\n  wall heap     force\n  repose heaps    another\n"
-                 "  repose heap     angle of repose none at the end (2 strips)\n  balance\n");
+    write_result(
+        &all, 1, "/report.txt",
+        "time 1 s\n  mixing heap     as long a word\n  repose hea      one\n  repose heaps    another\n"
+        "  repose heap     angle of repose none at the end (2 strips)\n  balance\n");
     assert_true(clod_runs_lacks(&all.runs, 0, text));
     assert_string_equal(text, "p000-2-lab: angle of repose none at the end (2 strips)");
     all.rows[1].state = CLOD_RUNS_FAILED; // the third has no files, and is no finished run
