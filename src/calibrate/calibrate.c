@@ -76,10 +76,24 @@ static void tell_all(const clod_warning_list *list, void (*say)(void *, const ch
     }
 }
 
-/** Whether the first point lies outside the tables that it is compared with: before the others are run. */
-static void look_outside(void *context)
+/** Why the first point does not define a number. */
+static void tell_lacks(const clod_runs *runs)
+{
+    for (size_t t = 0; t < runs->plan->target_count; t++) {
+        char reason[CLOD_RUNS_REASON], text[CLOD_PLAN_NAME + CLOD_RUNS_REASON + 32];
+        if (runs->options.tell != NULL && clod_runs_lacks(runs, t, reason)) {
+            snprintf(text, sizeof text, "%s is not defined in %s", runs->plan->targets[t].name,
+                     reason);
+            runs->options.tell(runs->options.context, text);
+        }
+    }
+}
+
+/** What the first point lacks, and whether it lies outside the tables that it is compared with: before the others are run. */
+static void look_at_first(void *context)
 {
     const clod_runs *runs = context;
+    tell_lacks(runs);
     clod_warning_list *list = clod_memory_alloc(1, sizeof *list);
     if (list != NULL) {
         clod_runs_warn_outside(runs, list);
@@ -148,7 +162,7 @@ static bool work(const clod_plan *plan, const char *directory,
     const clod_study_source source = {.compute = clod_runs_compute,
                                       .seconds = clod_runs_seconds,
                                       .tell = tell,
-                                      .look = look_outside,
+                                      .look = look_at_first,
                                       .context = runs,
                                       .stop = how.stop};
     clod_study study;

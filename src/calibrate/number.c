@@ -21,6 +21,18 @@ const clod_number *clod_number_find(const clod_plan_test *of, const char *key)
     return NULL;
 }
 
+bool clod_number_is_amount(const clod_plan *plan, const clod_plan_target *target)
+{
+    const clod_number *kind = target->test < plan->test_count
+                                  ? clod_number_find(&plan->tests[target->test], target->number)
+                                  : NULL; // a formula of a test
+    if (kind == NULL) {
+        return false;
+    }
+    return clod_number_is_path(kind) ? clod_number_path_is_amount(kind, target->number)
+                                     : strcmp(kind->unit, "rad") != 0;
+}
+
 /** The test that has a number, where the one that is asked for has not; NULL: none has. */
 static const char *test_with(const char *key)
 {

@@ -57,6 +57,10 @@ bool clod_number_is_path(const clod_number *self);
  *  negative (number_path.c).   Test  tests/calibrate/test_number_path.c */
 bool clod_number_path_is_amount(const clod_number *kind, const char *path);
 
+/** Whether a target is a stress, density, ratio or amount of a path, never below 0 in any run; an angle is none.
+ *  Threads  pure.   Test  tests/calibrate/test_number_path.c */
+bool clod_number_is_amount(const clod_plan *plan, const clod_plan_target *target);
+
 /** The kind of a number of a test; NULL: there is none. Of a free run every path of its summary is one. */
 const clod_number *clod_number_find(const clod_plan_test *of, const char *key);
 

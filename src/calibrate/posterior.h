@@ -37,16 +37,20 @@ typedef struct clod_posterior_target {
     clod_surrogate_check check;
     bool checked;
     bool held_back;
-    double mean; ///< of the model, over the posterior; this and the next: NAN without surrogate
+    /** Of the model, over the posterior; this and the next: NAN without surrogate. Means, intervals and the card's value of an
+     *  amount end at 0. */
+    double mean;
     double low, high; ///< interval of what a laboratory would measure
     double off;       ///< (measured - mean) over its standard deviation
     double at_card;   ///< of the model, at the place of the card; NAN as the mean
+    double unsure;    ///< standard deviation of what the surrogate does not know of that
 } clod_posterior_target;
 
 /** All in [0, 1] of the range. */
 typedef struct clod_posterior_parameter {
     double mean, deviation, low, high;
-    double width; ///< interval over that of the range: 1: the targets tell nothing
+    double
+        width; ///< interval over that of the range alone; above 1 where samples are at both ends
     double
         moved; ///< most that a used target's surrogate changes over the range, others at their means, over the
     ///< deviation of that change

@@ -97,6 +97,7 @@ bool clod_posterior_card_choose(const clod_plan *plan, const clod_posterior_sigh
         }
         for (size_t t = 0; t < targets; t++) {
             self->targets[t].at_card = told[t].mean;
+            self->targets[t].unsure = sqrt(told[t].variance);
         }
     }
     clod_memory_free(misfits);

@@ -17,7 +17,7 @@ typedef struct clod_posterior_sight {
  * Choose the card's place: the means, as long as they do not miss the used targets by more than nine of ten samples do;
  * else the sample nearest to them, in deviations, of the tenth that misses the targets least. On a bent ridge, or between
  * two answers, the means together are a place that no target allows. Fills `card`, `card_is_mean`, and of each target
- * `at_card`.
+ * `at_card` and `unsure`.
  *
  * Errors  CLOD_FAILED: memory.   Threads  safe.   Test  tests/calibrate/test_posterior_card.c
  */

@@ -14,6 +14,7 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "calibrate/chain.h"
+#include "calibrate/number.h"
 #include "calibrate/posterior_card.h"
 
 #define LOOKED 2000 ///< samples at which the targets are predicted
@@ -227,7 +228,22 @@ static void take_back(clod_posterior *self)
     }
     for (size_t t = 0; t < self->target_count; t++) {
         clod_posterior_target *one = &self->targets[t];
-        one->mean = one->off = one->low = one->high = one->at_card = (double)NAN;
+        one->mean = one->off = one->low = one->high = (double)NAN;
+        one->at_card = one->unsure = (double)NAN;
+    }
+}
+
+/** No strength, density or mass is below 0, as surrogates may be. */
+static void cut_amounts(const clod_plan *plan, clod_posterior *self)
+{
+    for (size_t t = 0; t < self->target_count; t++) {
+        clod_posterior_target *one = &self->targets[t];
+        if (one->surrogate != NULL && clod_number_is_amount(plan, &plan->targets[t])) {
+            one->mean = fmax(one->mean, 0.0);
+            one->low = fmax(one->low, 0.0);
+            one->high = fmax(one->high, 0.0);
+            one->at_card = fmax(one->at_card, 0.0);
+        }
     }
 }
 
@@ -259,7 +275,11 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
         return true;
     }
     const clod_posterior_sight card = {at->looked, at->told, at->room};
-    return clod_posterior_card_choose(plan, &card, self, status);
+    if (!clod_posterior_card_choose(plan, &card, self, status)) {
+        return false;
+    }
+    cut_amounts(plan, self);
+    return true;
 }
 
 bool clod_posterior_look(const clod_posterior_runs *runs, clod_posterior *self,

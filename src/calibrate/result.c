@@ -172,6 +172,7 @@ static void warn_targets(clod_result *self)
     for (size_t t = 0; t < from->target_count; t++) {
         const clod_posterior_target *one = &from->targets[t];
         const size_t all = self->study->points * (size_t)self->plan->seeds;
+        char reason[CLOD_RUNS_REASON];
         if (one->surrogate == NULL) {
             clod_warning_list_add(
                 &self->warnings,
@@ -182,8 +183,9 @@ static void warn_targets(clod_result *self)
         if (one->runs < all) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s: only %zu of %zu runs have this number; the others failed or do not define it.",
-                self->plan->targets[t].name, one->runs, all);
+                "%s: only %zu of %zu runs have this number; the others failed or do not define it%s%s.",
+                self->plan->targets[t].name, one->runs, all,
+                clod_runs_lacks(self->runs, t, reason) ? ", the first of these " : "", reason);
         }
         const clod_plan_target *of = &self->plan->targets[t];
         if (of->held_back && clod_result_misses(self, t)) {
@@ -237,11 +239,13 @@ static void warn_width(clod_result *self, size_t k)
             "last 5 %% before it).",
             name, end, share);
     }
-    if (one->width >= WEAKLY_TOLD) {
+    clod_posterior_split split; // between separate answers there is a warning of its own
+    if (one->width >= WEAKLY_TOLD &&
+        !clod_posterior_is_split(self->study->posterior, k, &split)) {
         clod_warning_list_add(
             &self->warnings,
-            "These targets do not tell %s: its interval is %.0f %% as wide as its range.", name,
-            100.0 * one->width);
+            "These targets hardly narrow %s: its %.3g %% interval is %.0f %% as wide as if nothing were measured.",
+            name, 100.0 * self->plan->sampling.level, 100.0 * one->width);
     } else if (still) {
         clod_warning_list_add(
             &self->warnings,
@@ -338,6 +342,9 @@ static void warn_parameters(clod_result *self)
 void clod_result_warn(clod_result *self)
 {
     warn_targets(self);
+    if (!self->study->posterior->apart) {
+        clod_result_verdict_warn(self, &self->warnings);
+    }
     warn_stiff(self);
     warn_parameters(self);
     const size_t failed = clod_runs_failed(self->runs);
@@ -348,6 +355,7 @@ void clod_result_warn(clod_result *self)
     }
     clod_runs_warn(self->runs, &self->warnings);
     clod_runs_warn_outside(self->runs, &self->warnings);
+    clod_runs_warn_zeros(self->runs, &self->warnings);
     for (size_t k = 0; k < self->plan->warnings.count; k++) {
         clod_warning_list_add(&self->warnings, "%s", self->plan->warnings.text[k]);
     }

@@ -33,6 +33,28 @@ bool clod_result_missed(const clod_posterior *self);
 bool clod_result_misses(const clod_result *self, size_t target);
 extern const char *const CLOD_RESULT_IDENTIFIED_NAMES[];
 
+/** What is known of a card and its targets. */
+typedef enum clod_result_verdict {
+    CLOD_RESULT_MET,
+    CLOD_RESULT_MISSES,
+    CLOD_RESULT_UNTOLD, ///< surrogates know too little: p rises with what they do not know
+} clod_result_verdict;
+extern const char *const CLOD_RESULT_VERDICT_NAMES[];
+
+/** Whether the surrogate of a target is sure enough at the card's values to tell whether that is met: to within the
+ *  laboratory's error and discrepancy; or it predicts points that are left out, and explains as much of the runs' variance
+ *  there (both: Q2 of 0.5).   Source  docs/theory/calibration.md, "Posterior".   Test  tests/calibrate/test_result_verdict.c */
+bool clod_result_tells(const clod_plan_target *target, const clod_posterior_target *self);
+
+/** Of the used targets: missed where p is below 0.05; of those held back: where one lies outside its interval. Else untold
+ *  where a surrogate does not tell.
+ *  @return whether there is such a target with a surrogate */
+bool clod_result_verdict_of(const clod_result *self, bool held_back,
+                            clod_result_verdict *verdict);
+
+/** Warn of what is untold. */
+void clod_result_verdict_warn(const clod_result *self, clod_warning_list *to);
+
 /** Look for what is to be said: contradictions, ends of ranges, chains, surrogates, failed runs. */
 void clod_result_warn(clod_result *self);
 

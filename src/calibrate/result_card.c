@@ -217,21 +217,15 @@ static bool gives(const card *self, const char *material, const char *key)
     return false;
 }
 
-/** Whether the targets are missed, those used and those held back, for who includes the card. */
+/** Whether the targets are met, those used and those held back, for who includes the card. */
 static void put_verdict(FILE *out, const clod_result *self)
 {
-    static const char *const WORDS[] = {CLOD_SOLID_MET, CLOD_SOLID_MISSED};
-    const clod_posterior *from = self->study->posterior;
-    bool predicted = false, missed = false;
-    for (size_t t = 0; t < from->target_count; t++) {
-        const bool held =
-            self->plan->targets[t].held_back && from->targets[t].surrogate != NULL;
-        predicted = predicted || held;
-        missed = missed || (held && clod_result_misses(self, t));
-    }
-    fprintf(out, "  %s: %s\n", CLOD_SOLID_TARGETS, WORDS[clod_result_missed(from)]);
-    if (predicted) {
-        fprintf(out, "  %s: %s\n", CLOD_SOLID_HELD_BACK, WORDS[missed]);
+    static const char *const KEYS[] = {CLOD_SOLID_TARGETS, CLOD_SOLID_HELD_BACK};
+    for (int held_back = 0; held_back < 2; held_back++) {
+        clod_result_verdict verdict;
+        if (clod_result_verdict_of(self, held_back == 1, &verdict)) {
+            fprintf(out, "  %s: %s\n", KEYS[held_back], CLOD_RESULT_VERDICT_NAMES[verdict]);
+        }
     }
 }
 
@@ -242,7 +236,8 @@ static bool put_solid(FILE *out, const card *self)
     clod_grain_solid solid;
     const bool good = clod_grain_solid_init(&solid, test->middle);
     fprintf(
-        out, "calibrated_with: # sets nothing; clod check warns of missed targets%s%s%s%s\n",
+        out,
+        "calibrated_with: # sets nothing; clod check warns of targets that are not met%s%s%s%s\n",
         solid.material != NULL ? ", and where a case that includes this has others than " : "",
         solid.material != NULL ? solid.material : "",
         solid.material != NULL ? " in the test " : "",

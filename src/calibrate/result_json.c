@@ -133,10 +133,20 @@ static json_t *target(const clod_result *self, size_t t)
                   "high", clod_json_number(f * one->high), "off", clod_json_number(one->off),
                   "surrogate", one->surrogate != NULL ? surrogate(self, t) : json_null());
     json_object_set_new(made, "card", clod_json_number(f * one->at_card));
+    json_object_set_new(made, "card_deviation", clod_json_number(f * one->unsure));
     if (of->normal_stress > 0.0) {
         json_object_set_new(made, "normal_stress_Pa", clod_json_number(of->normal_stress));
     }
     return made;
+}
+
+/** What is known of the card and its targets: "met", "missed", "untold"; null where there is none. */
+static json_t *verdict(const clod_result *self, bool held_back)
+{
+    clod_result_verdict found;
+    return !self->study->posterior->apart && clod_result_verdict_of(self, held_back, &found)
+               ? json_string(CLOD_RESULT_VERDICT_NAMES[found])
+               : json_null();
 }
 
 char *clod_result_json(const clod_result *self)
@@ -167,6 +177,8 @@ char *clod_result_json(const clod_result *self)
         "accepted", clod_json_number(from->accepted), "parameters", parameters, "targets",
         targets, "warnings", warnings);
     json_object_set_new(all, "card_is_mean", json_boolean(from->card_is_mean && !from->apart));
+    json_object_set_new(all, "card_targets", verdict(self, false));
+    json_object_set_new(all, "card_held_back", verdict(self, true));
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

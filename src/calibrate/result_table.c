@@ -64,7 +64,7 @@ static void put_parameters(FILE *out, const clod_result *self)
                 one->effective);
     }
     fputs(
-        "  width: of the interval over that of the range as given; 1: the targets tell nothing.\n"
+        "  width: of the interval over that of the range alone; 1 and more: the targets do not narrow it.\n"
         "  Of a range with scale: log the mean is that of the logarithm. card: what card.yaml has.\n",
         out);
     if (from->apart) {
@@ -150,6 +150,23 @@ static void put_noise_ends(FILE *out, const clod_plan_target *of,
     fprintf(out, " %18s", both);
 }
 
+/** Commands that run the tests with the card. */
+static void put_commands(FILE *out, const clod_plan *plan)
+{
+    fputs(
+        "\nThe card was not run: what is told of it comes from surrogates. FOLDER stands for the whole path of this\n"
+        "folder:\n",
+        out);
+    for (size_t t = 0; t < plan->test_count; t++) {
+        const clod_plan_test *test = &plan->tests[t];
+        fprintf(out, "  clod run %s", test->path);
+        for (size_t k = 0; k < test->set_count; k++) {
+            fprintf(out, " --set \"%s=%s\"", test->set[k].key, test->set[k].value);
+        }
+        fprintf(out, " --set include=FOLDER/card.yaml -o FOLDER/card-%s\n", test->name);
+    }
+}
+
 static void put_surrogates(FILE *out, const clod_result *self)
 {
     fprintf(
@@ -215,6 +232,9 @@ char *clod_result_table(const clod_result *self)
         "  %.3g %% interval of what a laboratory would measure; card: the model at the values of card.yaml;\n"
         "  off: (measured - model) over its deviation.\n  chi-square %.3g of %zu, posterior predictive p = %.2g\n",
         100.0 * self->plan->sampling.level, from->chi_square, from->used, from->p_value);
+    if (!from->apart) {
+        put_commands(out, self->plan);
+    }
     put_surrogates(out, self);
     return clod_text_close(&text);
 }

@@ -114,6 +114,27 @@ void clod_runs_warn(const clod_runs *self, clod_warning_list *to);
  */
 void clod_runs_warn_outside(const clod_runs *self, clod_warning_list *to);
 
+/**
+ * Warn of targets that count as 0 in some runs, as the strength of a specimen that did not stand: such a run tells no more
+ * than that nothing was above 0.
+ *
+ * @param to  [in, out] one warning for each such target is added
+ * Errors  none: what cannot be read has been told.   Threads  safe.   Test  tests/calibrate/test_runs_lacks.c
+ */
+void clod_runs_warn_zeros(const clod_runs *self, clod_warning_list *to);
+
+#define CLOD_RUNS_REASON 256 ///< bytes of one
+
+/**
+ * The first finished run that does not define the number of a target, and why, in the words of its report where that has a line
+ * of what the number is of: "p009-1-pile: angle of repose none at the end (2 strips of the flank, 3 are needed)".
+ *
+ * @param text  [out] "" where there is none
+ * @return      whether there is one
+ * Errors  none.   Threads  safe.   Test  tests/calibrate/test_runs_lacks.c
+ */
+bool clod_runs_lacks(const clod_runs *self, size_t target, char text[CLOD_RUNS_REASON]);
+
 /** All rows as CSV, units in the header; owned (clod_memory_free), NULL without memory. */
 char *clod_runs_csv(const clod_runs *self, size_t points, const double *places,
                     const double *results);

@@ -58,6 +58,7 @@ typedef struct clod_surrogate_check {
     size_t points;
     double error;   ///< root of the mean square error of a point's mean
     double q2;      ///< 1 - square errors over squares about the mean; 1: exact
+    double scatter; ///< root of the mean square of the points' means about the mean of all
     double covered; ///< share of the points within two standard deviations of their prediction
 } clod_surrogate_check;
 

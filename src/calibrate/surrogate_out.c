@@ -113,6 +113,7 @@ bool clod_surrogate_leave_one_out(const clod_surrogate *self, const clod_stop *s
     *check = (clod_surrogate_check){.points = clod_surrogate_points(&runs),
                                     .error = sqrt(all.square / all.points),
                                     .q2 = 1.0 - all.square / all.about,
+                                    .scatter = sqrt(all.about / all.points),
                                     .covered = all.covered / all.points};
     clod_memory_free(points);
     clod_memory_free(room);

@@ -128,11 +128,11 @@ bool clod_grain_solid_differs(const clod_case *from, char *text, size_t size)
     return text[0] != '\0';
 }
 
-static bool says_missed(const clod_case *from, const char *key)
+static bool says(const clod_case *from, const char *key, const char *word)
 {
     for (size_t k = 0; k < from->calibrated_with_count; k++) {
         const clod_setting *one = &from->calibrated_with[k];
-        if (strcmp(one->key, key) == 0 && strcmp(one->value, CLOD_SOLID_MISSED) == 0) {
+        if (strcmp(one->key, key) == 0 && strcmp(one->value, word) == 0) {
             return true;
         }
     }
@@ -141,19 +141,30 @@ static bool says_missed(const clod_case *from, const char *key)
 
 bool clod_grain_solid_missed(const clod_case *from, char *text, size_t size)
 {
+    static const struct {
+        const char *key, *word, *text;
+    } ROWS[] = {
+        // the worst first
+        {CLOD_SOLID_TARGETS, CLOD_SOLID_MISSED,
+         "the included card misses the targets that it was calibrated with (calibrated_with.targets: missed): "
+         "its values are not those of the solid that was measured. Its comments say what was missed; calibrate again, "
+         "with other ranges, parameters or targets"},
+        {CLOD_SOLID_TARGETS, CLOD_SOLID_UNTOLD,
+         "whether the included card meets the targets that it was calibrated with is not told (calibrated_with.targets: "
+         "untold): the surrogates of its calibration know less than the laboratory. Its comments say of what; run those "
+         "tests with the card, or calibrate again, with more points, packings or narrower ranges"},
+        {CLOD_SOLID_HELD_BACK, CLOD_SOLID_MISSED,
+         "the included card misses measurements that were held back from its calibration "
+         "(calibrated_with.held_back: missed): it need not predict what it was not fitted to. Its comments say what "
+         "was missed"},
+        {CLOD_SOLID_HELD_BACK, CLOD_SOLID_UNTOLD,
+         "whether the included card predicts the measurements that were held back from its calibration is not told "
+         "(calibrated_with.held_back: untold): its surrogates know less than the laboratory. Its comments say of what"}};
     text[0] = '\0';
-    if (says_missed(from, CLOD_SOLID_TARGETS)) {
-        snprintf(
-            text, size,
-            "the included card misses the targets that it was calibrated with (calibrated_with.targets: missed): "
-            "its values are not those of the solid that was measured. Its comments say what was missed; calibrate again, "
-            "with other ranges, parameters or targets");
-    } else if (says_missed(from, CLOD_SOLID_HELD_BACK)) {
-        snprintf(
-            text, size,
-            "the included card misses measurements that were held back from its calibration "
-            "(calibrated_with.held_back: missed): it need not predict what it was not fitted to. Its comments say what "
-            "was missed");
+    for (size_t k = 0; k < sizeof ROWS / sizeof ROWS[0] && text[0] == '\0'; k++) {
+        if (says(from, ROWS[k].key, ROWS[k].word)) {
+            snprintf(text, size, "%s", ROWS[k].text);
+        }
     }
     return text[0] != '\0';
 }

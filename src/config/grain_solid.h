@@ -15,6 +15,7 @@
 #define CLOD_SOLID_HELD_BACK "held_back"
 #define CLOD_SOLID_MET "met"
 #define CLOD_SOLID_MISSED "missed"
+#define CLOD_SOLID_UNTOLD "untold" ///< surrogates know too little to say either
 
 /** Keys of a solid; those of its contacts by their last word. */
 typedef struct clod_grain_solid {
@@ -45,8 +46,8 @@ void clod_grain_solid_fini(clod_grain_solid *self);
 bool clod_grain_solid_differs(const clod_case *from, char *text, size_t size);
 
 /**
- * Whether the card that a case includes missed what it was calibrated with, used targets or held-back ones; a card that
- * does not tell did not.
+ * Whether the card that a case includes missed what it was calibrated with, used targets or held-back ones, or may have:
+ * untold. A card without these keys did not.
  *
  * @param text  [size] [out] warning, CLOD_SOLID_TEXT at most; "" where there is nothing to say
  * @return      text[0] is not 0

@@ -186,8 +186,9 @@ static const clod_param ROWS[] = {
      CLOD_COUNT(C, calibrated_with_count),
      .help =
          "Of an included material card, as clod calibrate writes it: what else the grains were made of, density and "
-         "keys of the contact of two of them, and whether the calibration met its targets (targets, held_back: met or "
-         "missed). clod check and clod run warn where the case has another value, and of missed.",
+         "keys of the contact of two of them, and whether the calibration met its targets (targets, held_back: met, "
+         "missed, or untold by surrogates that know too little). clod check and clod run warn where the case has another "
+         "value, and of missed and untold.",
      .source = "docs/howto/calibrate.md"},
     {.key = "seed",
      .kind = CLOD_PARAM_INTEGER,

@@ -275,11 +275,16 @@ static void put_cards(FILE *out, const json_t *result)
     }
     const double p = clod_shear_number(result, "p_value");
     if (isfinite(p)) {
-        fprintf(out,
-                "<div class=\"card\"><b>%.2g</b><span>posterior predictive p of the targets: "
-                "below 0.05 the model does not reach them, and no parameter is identified"
-                "</span></div>\n",
-                p);
+        const char *verdict = json_string_value(json_object_get(result, "card_targets"));
+        fprintf(
+            out,
+            "<div class=\"card\"><b>%.2g</b><span>posterior predictive p of the targets: %s"
+            "</span></div>\n",
+            p,
+            verdict != NULL && strcmp(verdict, "untold") == 0
+                ? "it does not tell whether the card meets them, since surrogates are less sure than the laboratory; "
+                  "run the tests with the card"
+                : "below 0.05 the model does not reach them, and no parameter is identified");
     }
     fputs("</div>\n", out);
 }

@@ -4,6 +4,7 @@
 
 #include "analysis/prose.h"
 #include "base/json.h"
+#include "base/plural.h"
 #include "measure/repose.h"
 #include "setup/domain.h"
 #include "sim/mixing.h"
@@ -89,8 +90,8 @@ static void repose_report(FILE *out, const void *memory, const clod_free_moment 
         if (isnan(of->height)) {
             fputs("none at the end (no grain in the region), ", out);
         } else if (isnan(of->angle)) {
-            fprintf(out, "none at the end (%" PRId64 " strips of the flank, 3 are needed), ",
-                    of->strips);
+            fprintf(out, "none at the end (%" PRId64 " strip%s of the flank, 3 are needed), ",
+                    of->strips, clod_plural((double)of->strips));
         } else {
             char text[32];
             const char *error =

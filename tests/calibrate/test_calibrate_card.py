@@ -2,6 +2,7 @@
 
 import json
 import os
+import shlex
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -75,11 +76,36 @@ class Card(bounce.Bounce):
             self.assertIn("<li>" + told[0].rstrip("."), file.read())
 
     def test_card_that_misses_what_was_held_back_is_warned_of(self):
-        for held_back, words in (("met", []), ("missed", [MISSES + "measurements that were held back"])):
-            self.write("card.yaml", f"calibrated_with: {{targets: met, held_back: {held_back}}}\n")
+        untold = "whether the included card "
+        for targets, held_back, words in (("met", "met", []), ("met", "missed", [MISSES + "measurements that were held back"]),
+                                          ("untold", "missed", [untold + "meets the targets that it was calibrated with is not told"]),
+                                          ("missed", "untold", [MISSES + "the targets that it was calibrated with"]),
+                                          ("met", "untold", [untold + "predicts the measurements that were held back"])):
+            self.write("card.yaml", f"calibrated_with: {{targets: {targets}, held_back: {held_back}}}\n")
             told = [text for text in self.warnings("bounce.yaml", "--set", "include=card.yaml") if "the included card" in text]
             self.assertEqual(len(told), len(words), told)
             self.assertTrue(all(text.startswith(word) for text, word in zip(told, words)), told)
+
+    def test_card_of_surrogates_that_tell_nothing_is_warned_of(self):
+        """Friction moves no energy, and packings of twelve grains scatter by 5 %, thirty times the laboratory's error: p is far above
+        0.05. The command of the report runs the card."""
+        plan = bounce.PLAN.replace("contacts.default.restitution, from: 0.2, to: 0.9", "contacts.default.friction, from: 0.1, to: 0.5")
+        plan = plan.replace(f"value: {bounce.BEFORE * bounce.TRUTH**2:.6g}, error: 4e-6", f"value: {bounce.BEFORE * 0.25:.6g}, error: 2e-7")
+        plan = plan.replace("{case: bounce.yaml}", "{case: bounce.yaml, set: {contacts.soften: 2}}")
+        done = self.calibrate(plan, "-o", "out")
+        self.assertEqual(self.section()["targets"], "untold", done.stdout)
+        self.assertEqual(self.found()["card_targets"], "untold")
+        self.assertIsNone(self.found()["card_held_back"])
+        self.assertGreater(self.found()["p_value"], 0.05)
+        self.assertIn("Whether the card meets its targets is not told (targets: untold)", " ".join(done.stdout.split()))
+        command = next(line for line in done.stdout.split("\n") if line.startswith("  clod run "))
+        arguments = shlex.split(command.replace("FOLDER", self.path("out")))[1:]
+        self.assertEqual(arguments[2:4], ["--set", "contacts.soften=2"])
+        run = clod.run(*arguments, "-t", "1", cwd=self.folder)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("warning: whether the included card meets the targets", " ".join(run.stderr.split()))
+        with open(self.path("out/card-bounce/case-complete.yaml")) as file:
+            self.assertIn(f"friction: {self.found()['parameters']['e']['card']:.4g}", file.read())
 
     def test_summary_of_a_tester_has_the_warning(self):
         self.write("card.yaml", "calibrated_with: {targets: missed}\n")

@@ -88,6 +88,24 @@ static void what_is_never_negative(void **state)
     }
 }
 
+/** Whether a target of the test with this number is one; the number of no test is none. */
+static bool is_amount(const char *number, size_t count)
+{
+    const clod_plan plan = {.tests = &test, .test_count = count};
+    clod_plan_target target = {.test = 0};
+    snprintf(target.number, sizeof target.number, "%s", number);
+    return clod_number_is_amount(&plan, &target);
+}
+
+static void targets_that_are_never_negative(void **state)
+{
+    (void)state;
+    assert_true(is_amount("grains", 1));
+    assert_false(is_amount("grains", 0));
+    assert_false(is_amount("repose.heap.angle_deg", 1));
+    assert_false(is_amount("walls.0.force_N.2", 1));
+}
+
 static void a_section_that_the_case_lacks_is_none(void **state)
 {
     (void)state;
@@ -217,6 +235,7 @@ int main(void)
         cmocka_unit_test(the_end_of_the_name_is_the_unit),
         cmocka_unit_test(units_with_several_letters_are_not_taken_for_their_last),
         cmocka_unit_test(what_is_never_negative),
+        cmocka_unit_test(targets_that_are_never_negative),
         cmocka_unit_test(a_section_that_the_case_lacks_is_none),
         cmocka_unit_test(a_place_beyond_the_end_of_a_list_is_none),
         cmocka_unit_test(values_are_si),

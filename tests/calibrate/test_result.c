@@ -112,6 +112,19 @@ static bool warns(clod_posterior_parameter parameter, double p, bool card_is_mea
     return false;
 }
 
+// A width of 1.08 is that of an interval at both ends of the range, wider than what the range alone has.
+static void width_is_told_by_that_of_the_range_alone(void **state)
+{
+    (void)state;
+    const char *words =
+        "hardly narrow p0: its 90 % interval is 108 % as wide as if nothing were measured.";
+    clod_posterior_parameter wide = {
+        .rhat = 1.0, .effective = 1e4, .moved = 10.0, .width = 1.08};
+    assert_true(warns(wide, 0.5, true, words));
+    wide.width = 0.59;
+    assert_false(warns(wide, 0.5, true, "hardly narrow"));
+}
+
 /** What one is warned of whose chains have this R-hat and so many independent samples. */
 static bool warns_of_chains(double rhat, double effective, const char *words)
 {
@@ -340,6 +353,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(widths_have_their_names),
+        cmocka_unit_test(width_is_told_by_that_of_the_range_alone),
         cmocka_unit_test(what_moves_no_target_is_not_identified),
         cmocka_unit_test(targets_that_are_missed_identify_nothing),
         cmocka_unit_test(means_that_miss_are_told_where_nothing_else_says_why),

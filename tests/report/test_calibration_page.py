@@ -34,6 +34,13 @@ class Calibration(BrowserCase):
                          [("0.523456 N/m^1.5", "0.52", "N/m^1.5"), ("0.0003 J", "3.00e-4", "J"), (None, "0.4", "")])
         self.assertIn("90 % interval 0.41\u00a0to\u00a00.63; identified: yes", cards[0][3])
 
+    def test_p_that_tells_nothing(self):
+        self.assertIn("below 0.05 the model does not reach them", pages.cards(self.page.text)[-1][3])
+        with open(self.path("fit/calibration.json"), "w") as file:
+            json.dump({**self.found, "card_targets": "untold"}, file)
+        self.assertEqual(clod.run("report", "fit", cwd=self.folder).returncode, 0)
+        self.assertIn("it does not tell whether the card meets them", pages.cards(pages.load(self.path("fit/report.html")).text)[-1][3])
+
     def test_posterior_and_prior(self):
         """Even from 0.4 to 0.65 of a range from 0 to 1: four times the prior. Of b even in the logarithm, over log 2 of log 10."""
         x, y = self.curve("Posterior-of-a", "posterior")
