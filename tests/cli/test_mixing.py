@@ -187,7 +187,7 @@ fields:
                              ("one_cell", "all grains in one cell"),
                              ("alone", "too few grains in a cell"), ("empty", "no grain in the region")):
             self.assertIn(f"none at the end ({reason}), none in the steady time", lines["mixing " + name])
-        self.assertIn("strips of the flank, 3 are needed), none in the steady", lines["repose few"])
+        self.assertIn("none at the end (1 strip of the flank, 3 are needed), none in the steady", lines["repose few"])
         self.assertIn("none at the end (no grain in the region), none in the", lines["repose none"])
         self.assertIn("no velocity (no grain in the region), pressure 0", lines["field gone"])
 
