@@ -344,8 +344,32 @@ class Calibrate(bounce.Bounce):
 
     def test_folder_of_another_plan_is_refused(self):
         self.calibrate(PLAN, "-o", "out")
-        done = self.calibrate(PLAN.replace("to: 0.9", "to: 0.8"), "-o", "out", code=2)
-        self.assertIn("out has runs of another plan", done.stderr)
+        # title, clod and seed are above the parameter
+        words = ("out has runs of another plan: line 4 of its design.txt is \"parameter contacts.default.restitution "
+                 "0.20000000000000001 0.90000000000000002  linear\", and that of this plan \"parameter "
+                 "contacts.default.restitution 0.20000000000000001 0.80000000000000004  linear\".")
+        other = PLAN.replace("to: 0.9", "to: 0.8")
+        self.assertIn(words, self.calibrate(other, "-o", "out", code=2).stderr)
+        checked = self.calibrate(other, "-o", "out", "--check", code=2)
+        self.assertIn(words, checked.stderr)
+        self.assertNotIn("in order", checked.stdout)
+
+        seeds = self.calibrate(PLAN.replace("seeds: 2", "seeds: 3"), "-o", "out", code=2).stderr
+        self.assertIn("line 3 of its design.txt is \"seed 1, seeds 2\", and that of this plan \"seed 1, seeds 3\".", seeds)
+        with open(self.path("bounce.yaml")) as file:
+            case = file.read()
+        self.write("bounce.yaml", case.replace("count: 12", "count: 11"))
+        grains = self.calibrate(PLAN, "-o", "out", "--check", code=2).stderr
+        self.assertRegex(grains, r"line \d+ of its design.txt is \"count: 12\", and that of this plan \"count: 11\"\.")
+        self.write("bounce.yaml", case)
+
+        # the same command, and other targets and points
+        self.assertIn("in order", self.calibrate(PLAN, "-o", "out", "--check").stdout)
+        same = PLAN.replace("points: 9", "points: 12").replace("error: 4e-6", "error: 8e-6")
+        self.assertIn("in order", self.calibrate(same, "-o", "out", "--check").stdout)
+        os.makedirs(self.path("empty"))
+        self.assertIn("in order", self.calibrate(PLAN, "-o", "empty", "--check").stdout)
+        self.assertEqual(os.listdir(self.path("empty")), [])
 
     def test_set_changes_keys_as_an_edit_of_the_plan_does(self):
         """The bytes are those of the edited plan; other ranges need another folder, other errors do not."""
