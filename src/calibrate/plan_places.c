@@ -214,7 +214,7 @@ static bool accepts_corners(clod_loader *loader, const clod_plan *self,
 static bool accepts_design(clod_loader *loader, const clod_plan *self,
                            const clod_plan_test *test)
 {
-    const size_t most = self->points > 0 ? (size_t)self->points : CLOD_PLAN_POINTS;
+    const size_t most = self->points > 0 ? (size_t)self->points : CLOD_PLAN_BUDGET_POINTS;
     const size_t count = clod_plan_design_points(self->parameter_count, most);
     double *places = clod_memory_alloc(count * self->parameter_count, sizeof *places);
     bool good = places != NULL && clod_sobol_fill(self->parameter_count, count, places);
