@@ -58,6 +58,18 @@ class Plan(bounce.Bounce):
         self.refuse((ends, "key: contacts.default.restitution, from: -0.2, to: 0.9"),
                     words=["parameters.e.from: test bounce refuses it", "is out of range"])
 
+    def test_decimal_commas(self):
+        """In braces YAML ends a value at its comma: from is 0, and 25 another key."""
+        ends = "key: contacts.default.restitution, from: 0.2, to: 0.9"
+        for line, place in ((ends.replace("0.2", "0,25"), "5:48"), (ends.replace("0.9", "0,9"), "5:57")):
+            told = self.refuse((ends, line), words=[f"plan.yaml:{place}: write the decimal point as a point, not a comma: "])
+            self.assertEqual(len(told.splitlines()), 3, told)
+        self.refuse(("value: 1e-4", "value: -3,5 J"), words=["not a comma: value: -3.5 J"])
+        self.refuse((f"  e: {{{ends}}}", "  e:\n    key: contacts.default.restitution\n    from: 0,2\n    to: 0.9"),
+                    words=["plan.yaml:7:11: parameters.e.from: 0,2: write the decimal point as a point, not a comma"])
+        # a key of digits is one as long as it is not part of a number
+        self.refuse((ends, ends + ", 5: 1"), words=["parameters.e.5: this key is not known"])
+
     def test_a_refused_key_is_told_at_its_own_parameter(self):
         """Not at the first one, whose ends are tried first."""
         ends = "to: 0.9}\n"
