@@ -35,8 +35,9 @@ static const struct argp_option OPTIONS[] = {
      "folder of runs and results (run/NAME for NAME.yaml and for NAME/case.yaml)", 0},
     {"jobs", 'j', "N", 0, "runs side by side (default: one for each processor)", 0},
     {"check", KEY_CHECK, NULL, 0,
-     "only check the plan, the tables, and the cases at all corners of the ranges and at every "
-     "point of the largest design, and estimate what a point takes",
+     "only check the plan, the tables, the cases at all corners of the ranges and at every "
+     "point of the largest design, and that the folder has no runs of another plan; estimate "
+     "what a point takes",
      0},
     {"set", 'S', "KEY=VALUE", 0,
      "another value for a key of the plan, e.g. budget=\"2 h\"; may be given often", 0},

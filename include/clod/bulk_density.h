@@ -19,7 +19,7 @@ typedef struct clod_bulk_density_point {
     double rho_b_error;   ///< standard error [kg/m3]
 } clod_bulk_density_point;
 
-#define CLOD_BULK_DENSITY_WARNINGS 3
+#define CLOD_BULK_DENSITY_WARNINGS 4
 
 /** rho_b = rho_1 (sigma_1/1 kPa)^compressibility. */
 typedef struct clod_bulk_density {

@@ -11,6 +11,11 @@
 extern "C" {
 #endif
 
+/** What an angle of repose may be, from the first on and below the second [deg]: glass beads that roll freely make some
+ *  20, so below 5 the unit is rad. */
+#define CLOD_REPOSE_ANGLES_LEAST 5.0
+#define CLOD_REPOSE_ANGLES_MOST 90.0
+
 /** Angle of repose of one heap. */
 typedef struct clod_repose_heap {
     double angle; ///< rad

@@ -18,7 +18,8 @@
 #define KILO 1000.0
 #define CHANCE 2.0    ///< standard errors that may be chance
 #define BETA_MOST 0.5 ///< at four times the stress twice the density
-#define OFF 0.05      ///< of a density from the law, relative; docs/theory/yield-locus.md
+#define POUND_FOOT3 (0.45359237 / (0.3048 * 0.3048 * 0.3048)) ///< kg/m3
+#define OFF 0.05 ///< of a density from the law, relative; docs/theory/yield-locus.md
 
 typedef clod_bulk_density_point point;
 
@@ -40,6 +41,19 @@ static const clod_csv_column COLUMNS[] = {
 bool clod_bulk_density_is_usual(double rho)
 {
     return rho >= CLOD_BULK_DENSITY_LEAST && rho <= CLOD_BULK_DENSITY_MOST;
+}
+
+bool clod_bulk_density_warn(double rho, char text[CLOD_LOCUS_WARNING_TEXT])
+{
+    text[0] = '\0';
+    if (rho < CLOD_BULK_DENSITY_LIGHT) {
+        snprintf(
+            text, CLOD_LOCUS_WARNING_TEXT,
+            "rho_b is %.1f kg/m3, as light as perlite, foam or aerogel. Is it in lb/ft3? %.1f "
+            "lb/ft3 are %.0f kg/m3.",
+            rho, rho, POUND_FOOT3 * rho);
+    }
+    return text[0] != '\0';
 }
 
 bool clod_bulk_density_check(const clod_csv *self, const char *column, double rho)
@@ -170,6 +184,18 @@ static void look_at_stated(clod_bulk_density *self)
     }
 }
 
+static void look_at_least(clod_bulk_density *self)
+{
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < self->point_count; i++) {
+        least = fmin(least, self->points[i].rho_b);
+    }
+    char text[CLOD_LOCUS_WARNING_TEXT];
+    if (clod_bulk_density_warn(least, text)) {
+        memcpy(warning(self), text, sizeof text);
+    }
+}
+
 /** @param work  [2 point_count] */
 static void fit(clod_bulk_density *self, double *work)
 {
@@ -192,6 +218,7 @@ static void fit(clod_bulk_density *self, double *work)
     look_at_exponent(self);
     look_at_scatter(self);
     look_at_stated(self);
+    look_at_least(self);
 }
 
 bool clod_bulk_density_evaluate(const clod_bulk_density_point *points, size_t count,

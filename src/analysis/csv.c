@@ -43,6 +43,15 @@ static size_t split(char *line, char separator, char *cells[CLOD_CSV_COLUMNS])
     return count;
 }
 
+/** Cells of a line without the empty ones behind the `least`-th, which a spreadsheet writes of empty columns. */
+static size_t drop_empty(char *const cells[CLOD_CSV_COLUMNS], size_t count, size_t least)
+{
+    while (count > least && count <= CLOD_CSV_COLUMNS && cells[count - 1][0] == '\0') {
+        count--;
+    }
+    return count;
+}
+
 static bool is_skipped(const clod_csv_kind *kind, const char *name)
 {
     for (size_t i = 0; kind->skipped != NULL && kind->skipped[i] != NULL; i++) {
@@ -160,6 +169,12 @@ static bool read_name(clod_csv *self, char *cell)
 {
     const char *unit = cut_unit(cell);
     const clod_csv_column *column = find_column(self->kind, cell);
+    if (cell[0] == '\0') {
+        return clod_status_fail(self->status, CLOD_USAGE,
+                                "%s:%zu: column %zu of the header has no name; give it one, or "
+                                "remove the column.",
+                                self->path, self->line, self->width + 1);
+    }
     if (column == NULL) {
         if (!is_skipped(self->kind, cell)) {
             return fail_unknown(self, cell);
@@ -188,7 +203,7 @@ static bool read_header(clod_csv *self, char *line)
         self->separator = '\t';
     }
     char *cells[CLOD_CSV_COLUMNS];
-    const size_t width = split(line, self->separator, cells);
+    const size_t width = drop_empty(cells, split(line, self->separator, cells), 1);
     if (width > CLOD_CSV_COLUMNS) {
         return clod_status_fail(self->status, CLOD_USAGE,
                                 "%s:%zu: %zu columns are more than %d; is this a file of %ss?",
@@ -301,7 +316,7 @@ static char *add_row(clod_csv *self)
 static bool read_row(clod_csv *self, char *line)
 {
     char *cells[CLOD_CSV_COLUMNS];
-    const size_t width = split(line, self->separator, cells);
+    const size_t width = drop_empty(cells, split(line, self->separator, cells), self->width);
     if (width != self->width) {
         return clod_status_fail(self->status, CLOD_USAGE,
                                 "%s:%zu: %zu cell%s, but the header has %zu column%s.",

@@ -1,7 +1,8 @@
 #pragma once
 /**
  * @file csv.h
- * Tables of measured values from CSV files: `,` `;` or tab, units in the header, `#` for comments.
+ * Tables of measured values from CSV files: `,` `;` or tab, units in the header, `#` for comments. Empty cells
+ * behind the last column are none.
  * What the columns mean says the caller; errors name file, line and column.
  */
 

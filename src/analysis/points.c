@@ -4,6 +4,7 @@
  */
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "analysis/bulk_density.h"
@@ -79,13 +80,6 @@ static bool check_row(const clod_csv *self, const void *row)
          !clod_bulk_density_check(self, "rho_inside", point->rho_inside))) {
         return false;
     }
-    if (point->sigma_p == 0.0 || point->tau_p == 0.0) {
-        const bool sigma = point->sigma_p == 0.0;
-        return clod_csv_fail(self, &COLUMNS[sigma ? SIGMA_PRE : TAU_PRE], "",
-                             self->first == NULL ? "is empty; fill it in."
-                             : sigma             ? "is empty; fill it in, or give --sigma-pre."
-                                                 : "is empty; fill it in, or give --tau-pre.");
-    }
     return true;
 }
 
@@ -129,6 +123,51 @@ static bool check_densities(const clod_csv *self)
                     self->path, points[i].row, points[i].rho_b, points[k].row, points[k].rho_b,
                     points[i].sigma_p / 1000.0);
             }
+        }
+    }
+    return true;
+}
+
+/** sigma_pre or tau_pre of a point. */
+static double preshear_of(const clod_locus_point *point, size_t column)
+{
+    return column == SIGMA_PRE ? point->sigma_p : point->tau_p;
+}
+
+/** Whether rows have different values of a column, so that no one value is that of the empty cells. */
+static bool differ(const clod_csv *self, size_t column)
+{
+    const clod_locus_point *points = self->rows;
+    double first = 0.0;
+    for (size_t i = 0; i < self->count; i++) {
+        const double value = preshear_of(&points[i], column);
+        if (value > 0.0 && first > 0.0 && value != first) {
+            return true;
+        }
+        first = first > 0.0 ? first : value;
+    }
+    return false;
+}
+
+/** Every row has a preshear. */
+static bool check_preshears(clod_csv *self)
+{
+    const clod_locus_point *points = self->rows;
+    for (size_t i = 0; i < self->count; i++) {
+        for (size_t c = SIGMA_PRE; c <= TAU_PRE; c++) {
+            if (preshear_of(&points[i], c) > 0.0) {
+                continue;
+            }
+            char fault[96] = "is empty; fill it in.";
+            if (differ(self, c)) {
+                snprintf(fault, sizeof fault,
+                         "is empty; fill it in. (Of merged cells a file has the first alone.)");
+            } else if (self->first != NULL) {
+                snprintf(fault, sizeof fault, "is empty; fill it in, or give --%s.",
+                         option_of(c));
+            }
+            self->line = points[i].row;
+            return clod_csv_fail(self, &COLUMNS[c], "", fault);
         }
     }
     return true;
@@ -190,7 +229,7 @@ bool clod_locus_parse(const char *path, const char *text, size_t length,
         !clod_csv_parse(&self, text, length)) {
         return false;
     }
-    if (!check_defaults(&self, &given) || !check_densities(&self)) {
+    if (!check_preshears(&self) || !check_defaults(&self, &given) || !check_densities(&self)) {
         clod_memory_free(self.rows);
         return false;
     }

@@ -16,7 +16,6 @@
 
 #define DEGREES (180.0 / M_PI)
 #define ROUNDING 1e-9 ///< of the mean: a smaller error is that of one and the same number
-#define LEAST 5.0 ///< deg: glass beads that roll freely make some 20; below it the unit is rad
 
 typedef clod_repose_heap heap;
 
@@ -29,7 +28,7 @@ static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
                .unit = "rad",
                .positive = true,
                .required = true,
-               .below = M_PI_2,
+               .below = CLOD_REPOSE_ANGLES_MOST / DEGREES,
                .offset = offsetof(heap, angle)},
     [ANGLE_ERROR] = {.names = {"angle_of_repose_error"},
                      .unit = "rad",
@@ -43,11 +42,11 @@ static const char *const SKIPPED[] = {"seed", "heap", NULL};
 static bool check_row(const clod_csv *self, const void *row)
 {
     const double angle = DEGREES * ((const heap *)row)->angle;
-    return angle >= LEAST ||
+    return angle >= CLOD_REPOSE_ANGLES_LEAST ||
            clod_status_fail(self->status, CLOD_USAGE,
                             "%s:%zu: column angle_of_repose: %.6g deg is below %g deg, and no "
                             "solid lies so flat; is its unit another one, [rad]?",
-                            self->path, self->line, angle, LEAST);
+                            self->path, self->line, angle, CLOD_REPOSE_ANGLES_LEAST);
 }
 
 static const clod_csv_kind HEAPS = {

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "analysis/bulk_density.h"
 #include "analysis/warnings.h"
 #include "base/given.h"
 #include "base/memory.h"
@@ -171,6 +172,21 @@ static bool evaluate_all(clod_locus_study *self, const sorted *items, size_t cou
     return true;
 }
 
+/** Warn of the least density, once: a wrong unit is that of all rows. */
+static void check_density(clod_locus_study *self)
+{
+    clod_locus *least = NULL;
+    for (size_t g = 0; g < self->count; g++) {
+        clod_locus *one = &self->groups[g].locus; // some may have no density, NAN
+        least =
+            one->rho_b.value < (least != NULL ? least->rho_b.value : HUGE_VAL) ? one : least;
+    }
+    char text[CLOD_LOCUS_WARNING_TEXT];
+    if (least != NULL && clod_bulk_density_warn(least->rho_b.value, text)) {
+        clod_warnings_add(least, "%s", text);
+    }
+}
+
 /** Remark on the flow function: groups are in ascending order of consolidation. */
 static bool check_strengths(clod_locus_study *self, clod_status *status)
 {
@@ -216,7 +232,9 @@ clod_locus_study *clod_locus_study_create(const clod_locus_point *points, size_t
            check_strengths(self, status);
     clod_memory_free(items);
     clod_memory_free(scratch);
-    if (!done) {
+    if (done) {
+        check_density(self);
+    } else {
         clod_locus_study_destroy(&self);
     }
     return self;

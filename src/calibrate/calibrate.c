@@ -133,10 +133,13 @@ static bool tell_estimate(const clod_plan *plan, const clod_calibrate_options *o
     return true;
 }
 
-/** The plan without its runs: the preflight of its cases. */
-static bool look(const clod_plan *plan, const clod_calibrate_options *options,
-                 clod_status *status)
+/** The plan without its runs: the folder that they would go into, the preflight of its cases. */
+static bool look(const clod_plan *plan, const char *directory,
+                 const clod_calibrate_options *options, clod_status *status)
 {
+    if (!clod_runs_look(plan, directory, status)) {
+        return false;
+    }
     clod_warning_list *warnings = clod_memory_alloc(1, sizeof *warnings);
     const bool good = warnings != NULL ? tell_estimate(plan, options, warnings, status)
                                        : clod_status_fail(status, CLOD_FAILED,
@@ -196,7 +199,7 @@ bool clod_calibrate_run(const char *path, const clod_calibrate_options *options,
         tell_all(&plan.warnings, options->tell, options->context); // before hours are spent
     }
     if (good) {
-        good = options->dry ? look(&plan, options, status)
+        good = options->dry ? look(&plan, directory, options, status)
                             : work(&plan, directory, options, report, status);
     }
     clod_memory_free(standard);

@@ -12,6 +12,7 @@ typedef struct clod_estimate {
     double each;   ///< s of a point on the clock: all its runs, side by side
     double points; ///< that fit the budget, or that are asked for
     size_t least;  ///< that the parameters need
+    double fits;   ///< s of one processor: the fits of all targets, behind the runs
 } clod_estimate;
 
 /**
@@ -24,6 +25,17 @@ typedef struct clod_estimate {
  */
 bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
                         clod_warning_list *warnings, clod_status *status);
+
+/** Points that fit a budget where each takes so long [s], CLOD_PLAN_BUDGET_POINTS at most. Test  tests/calibrate/test_estimate.c */
+double clod_estimate_points(const clod_plan *plan, double each);
+
+/**
+ * Time of the fits with so many points, within a factor of 2: of each target behind the design and behind each batch.
+ *
+ * @return  s of one processor
+ * Source   docs/theory/calibration.md, Limits   Test  tests/calibrate/test_estimate.c
+ */
+double clod_estimate_fits(const clod_plan *plan, double points);
 
 #define CLOD_ESTIMATE_WORDS 32
 

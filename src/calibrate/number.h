@@ -53,6 +53,9 @@ extern const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT];
 /** Whether it is one of a path: a value without a unit has that of the name. */
 bool clod_number_is_path(const clod_number *self);
 
+/** Whether it is the angle of repose of a heap, at the end of a run or over its steady time (number_path.c). */
+bool clod_number_path_is_repose(const clod_number *self);
+
 /** Whether a number of a path is a mass, density, energy, area, volume, time, count or deviation, which are never
  *  negative (number_path.c).   Test  tests/calibrate/test_number_path.c */
 bool clod_number_path_is_amount(const clod_number *kind, const char *path);

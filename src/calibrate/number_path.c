@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "calibrate/number.h"
+#include "clod/repose_angles.h"
 #include "config/suggest.h"
 
 #define MOST_NAMES 256 ///< that a message tells, as many as find room in it
@@ -20,8 +21,26 @@
 const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT] = {CLOD_UNIT_ENDINGS(ROW)
                                                                     ROW("", "1", "", 1.0)};
 
+// Angles with bounds, which no solid is beyond. A surcharge angle is that of a slope, which may fall to its edges.
+#define ANGLE(least, most)                                                                     \
+    {                                                                                          \
+        "_deg", "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, CLOD_PLAN_FIGURES},                   \
+            (least)*CLOD_NUMBER_DEGREE, (most)*CLOD_NUMBER_DEGREE, false, NULL, NULL           \
+    }
+
+static const clod_number REPOSE = ANGLE(CLOD_REPOSE_ANGLES_LEAST, CLOD_REPOSE_ANGLES_MOST);
+static const clod_number SURCHARGE = ANGLE(-90.0, 90.0);
+
+bool clod_number_path_is_repose(const clod_number *self)
+{
+    return self == &REPOSE;
+}
+
 bool clod_number_is_path(const clod_number *self)
 {
+    if (self == &REPOSE || self == &SURCHARGE) {
+        return true;
+    }
     for (size_t k = 0; k < CLOD_NUMBERS_PATH_COUNT; k++) {
         if (self == &CLOD_NUMBERS_PATH[k]) {
             return true;
@@ -134,11 +153,24 @@ static const clod_free_path *furthest(const clod_free_paths *of, const char *pat
     return NULL;
 }
 
+static bool ends(const char *path, const char *ending)
+{
+    const size_t length = strlen(path), end = strlen(ending);
+    return end <= length && strcmp(path + length - end, ending) == 0;
+}
+
 const clod_number *clod_number_path_find(const clod_free_paths *of, const char *path)
 {
     size_t steps;
     const clod_free_path *found = furthest(of, path, &steps);
-    return found != NULL ? unit_of(found) : NULL;
+    if (found == NULL) {
+        return NULL;
+    }
+    const bool repose = strncmp(path, "repose.", strlen("repose.")) == 0;
+    if (repose && (ends(path, ".angle_deg") || ends(path, ".mean_deg"))) {
+        return &REPOSE;
+    }
+    return ends(path, ".profile.surcharge_deg") ? &SURCHARGE : unit_of(found);
 }
 
 /** A name as people have it: "0 to 2" for [0-2]. */

@@ -172,7 +172,7 @@ static const clod_param ROWS[] = {
      CLOD_AT(C, budget),
      .help =
          "Time on the clock that the runs may take on all processors; the first point is timed, and "
-         "tells how many points fit. Either this or points.",
+         "tells how many points fit, 256 at most. Either this or points.",
      .source = HOWTO},
     {.key = "points",
      .kind = CLOD_PARAM_INTEGER,

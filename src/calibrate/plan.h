@@ -20,8 +20,10 @@
 #define CLOD_PLAN_FIGURES (-1) ///< digits of a number that may be of any size
 #define CLOD_PLAN_NAME 144
 #define CLOD_PLAN_PARAMETERS 12 ///< at most
-#define CLOD_PLAN_POINTS 1000   ///< at most, whatever the budget
-#define CLOD_PLAN_SPECIMENS 24  ///< of a measured point, whose differences are kept
+#define CLOD_PLAN_POINTS 1000   ///< at most
+#define CLOD_PLAN_BUDGET_POINTS                                                                \
+    256 ///< that a budget buys at most: with more, surrogates are drawn less often
+#define CLOD_PLAN_SPECIMENS 24 ///< of a measured point, whose differences are kept
 
 /** A case that is run for each point; the fields after `path` come from the case. */
 typedef struct clod_plan_test {
@@ -116,7 +118,7 @@ typedef struct clod_plan_sampling {
 
 typedef struct clod_plan {
     char *title;
-    double budget;  ///< s on the clock; 0: points are given
+    double budget; ///< s on the clock, for CLOD_PLAN_BUDGET_POINTS at most; 0: points are given
     int64_t points; ///< 0: as many as the budget allows
     int64_t seeds, seed;
     clod_plan_test *tests;

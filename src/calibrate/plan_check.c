@@ -20,6 +20,10 @@ static bool read_end(clod_loader *loader, const clod_plan_parameter *self, const
         clod_check_fail(loader, path, "%s is no number with a unit", text);
         return false;
     }
+    if (rest[0] == ',') {
+        clod_check_fail(loader, path, "%s: write the decimal point as a point, not a comma", text);
+        return false;
+    }
     snprintf(unit, CLOD_PLAN_UNIT, "%s", rest);
     return true;
 }

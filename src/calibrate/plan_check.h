@@ -63,6 +63,10 @@ void clod_plan_warn_values(clod_plan *self);
  *  includes it (plan_doubts_keys.c).   Test  tests/calibrate/test_plan_doubts_keys.c */
 void clod_plan_warn_keys(clod_plan *self);
 
+/** Warn of fewer independent used targets than parameters (plan_doubts_count.c).
+ *  Test  tests/calibrate/test_plan_doubts_count.c */
+void clod_plan_warn_count(clod_plan *self);
+
 /** Warn of specimens of one table that serve used targets of two tests, which count as independent
  *  (plan_specimens.c).   Test  tests/calibrate/test_plan_set.c */
 void clod_plan_warn_shared_specimens(clod_plan *self);

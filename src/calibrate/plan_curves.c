@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/bulk_density.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "calibrate/plan_samples.h"
@@ -165,6 +166,19 @@ static void warn_single(maker *self, const clod_plan_target *common,
     clod_plan_samples_warn_one(self, common, stated, text);
 }
 
+/** Warn of densities in another unit. */
+static void warn_light(maker *self, const clod_number *kind, const clod_curve *from)
+{
+    double least = HUGE_VAL;
+    for (size_t k = 0; k < from->count; k++) {
+        least = fmin(least, from->points[k].y);
+    }
+    char text[CLOD_LOCUS_WARNING_TEXT];
+    if (strcmp(kind->unit, "kg/m3") == 0 && clod_bulk_density_warn(least, text)) {
+        clod_plan_samples_warn(self, text);
+    }
+}
+
 /** Targets of the points of a curve. */
 static void make_targets(maker *self, size_t test, const clod_number *kind, clod_curve *from,
                          const char *error_column)
@@ -188,6 +202,7 @@ static void make_targets(maker *self, size_t test, const clod_number *kind, clod
             take_points(from, common.error, &list);
             clod_plan_samples_merge(&list, 0.0);
             warn_single(self, &common, &list, stated);
+            warn_light(self, kind, from);
         }
         if (list.curve != NULL && check_consolidation(self, test, list.curve) &&
             check_choice(self, kind, &list)) {

@@ -295,5 +295,6 @@ void clod_plan_warn_doubts(clod_plan *self)
     warn_of_copies(self);
     clod_plan_warn_values(self);
     clod_plan_warn_keys(self);
+    clod_plan_warn_count(self);
     clod_plan_warn_shared_specimens(self);
 }

@@ -14,6 +14,8 @@
 #define PATH 200
 #define SETTINGS 1200 ///< bytes of a text with all settings
 
+static const char *const ENDS[] = {"from", "to"};
+
 _Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_SOBOL_MOST,
                "a design takes all parameters of a plan");
 
@@ -118,15 +120,6 @@ clod_case *clod_plan_case(const clod_plan *self, const clod_plan_test *test,
     return found;
 }
 
-/** Whether the cases have a key by this name: elements of vectors, which have no row, count. */
-static bool is_key(const char *key)
-{
-    const char *dot = strrchr(key, '.');
-    const char *last = dot != NULL ? dot + 1 : key;
-    return find_row(&CLOD_TABLE_CASE, key) != NULL ||
-           strspn(last, "0123456789") == strlen(last);
-}
-
 /** All settings of a place in one line. */
 static void write_settings(const clod_plan *self, const double *place, char text[SETTINGS])
 {
@@ -140,16 +133,14 @@ static void write_settings(const clod_plan *self, const double *place, char text
     }
 }
 
-/** Load the case at a place; a complaint at `path` if it is refused. */
+/** Whether the case loads at a place; if not, a complaint that tells all settings. */
 static bool accepts(clod_loader *loader, const clod_plan *self, const clod_plan_test *test,
-                    const double *place, const char *path)
+                    const double *place)
 {
     clod_status status = {CLOD_OK, ""};
     clod_case *found = clod_plan_case(self, test, place, &status);
-    if (found == NULL && path != NULL) {
-        clod_check_fail(loader, path, "test %s refuses it: %.800s", test->name,
-                        clod_plan_check_reason(&status));
-    } else if (found == NULL) {
+    const bool good = found != NULL;
+    if (!good) {
         char settings[SETTINGS];
         write_settings(self, place, settings);
         clod_check_fail(loader, "parameters",
@@ -157,39 +148,88 @@ static bool accepts(clod_loader *loader, const clod_plan *self, const clod_plan_
                         "ranges may be run: %.800s",
                         test->name, settings, clod_plan_check_reason(&status));
     }
+    clod_case_destroy(&found);
+    return good;
+}
+
+/** Load the case with parameter k at an end of its range, 0 or 1, and the others in the middle. */
+static bool loads_end(const clod_plan *self, const clod_plan_test *test, size_t k, int end,
+                      clod_status *status)
+{
+    double place[CLOD_PLAN_PARAMETERS];
+    for (size_t m = 0; m < self->parameter_count; m++) {
+        place[m] = m == k ? (double)end : 0.5;
+    }
+    clod_case *found = clod_plan_case(self, test, place, status);
     const bool good = found != NULL;
     clod_case_destroy(&found);
     return good;
 }
 
-/** Where an end of a range of parameter k is refused: at a key that the cases do not have, if the plan has one. */
-static void path_of_end(const clod_plan *self, size_t k, const char *end, char path[PATH])
+/** Whether a refusal begins with the setting of a key of parameter k, its m-th. */
+static bool names_key(const clod_plan *self, size_t k, const clod_status *why, size_t *m)
 {
-    snprintf(path, PATH, "parameters.%.60s.%s", self->parameters[k].name, end);
-    for (size_t i = 0; i < self->parameter_count; i++) {
-        const clod_plan_parameter *of = &self->parameters[i];
-        for (size_t m = 0; m <= of->multiple_count; m++) {
-            if (!is_key(clod_plan_key(of, m))) {
-                path_of(of, m, path);
-                return;
-            }
+    for (*m = 0; *m <= self->parameters[k].multiple_count; (*m)++) {
+        char begin[CLOD_STATUS_TEXT];
+        const int length =
+            snprintf(begin, sizeof begin, "--set %s=", clod_plan_key(&self->parameters[k], *m));
+        if (strncmp(why->text, begin, (size_t)length) == 0) {
+            return true;
         }
     }
+    return false;
 }
 
-/** Each parameter at either end, the others in the middle. */
+static void fail_end(clod_loader *loader, const clod_plan_test *test, const char *path,
+                     clod_status *why)
+{
+    clod_check_fail(loader, path, "test %s refuses it: %.800s", test->name,
+                    clod_plan_check_reason(why));
+}
+
+/** Whether a parameter is refused by its name: a complaint at the end of its range, or at its key where both are. */
+static bool is_refused(clod_loader *loader, const clod_plan *self, const clod_plan_test *test,
+                       size_t k)
+{
+    clod_status why[2] = {{CLOD_OK, ""}, {CLOD_OK, ""}};
+    bool refused[2];
+    size_t m = 0;
+    for (int end = 1; end >= 0; end--) { // m is of the lower one, which is told
+        refused[end] =
+            !loads_end(self, test, k, end, &why[end]) && names_key(self, k, &why[end], &m);
+    }
+    char path[PATH];
+    if (refused[0] && refused[1]) {
+        path_of(&self->parameters[k], m, path);
+    } else {
+        snprintf(path, sizeof path, "parameters.%.60s.%s", self->parameters[k].name,
+                 ENDS[refused[0] ? 0 : 1]);
+    }
+    if (refused[0] || refused[1]) {
+        fail_end(loader, test, path, &why[refused[0] ? 0 : 1]);
+    }
+    return refused[0] || refused[1];
+}
+
+/** Each parameter at either end, the others in the middle: one of those may be the reason of a refusal. */
 static bool accepts_ends(clod_loader *loader, const clod_plan *self, const clod_plan_test *test)
 {
     for (size_t k = 0; k < 2 * self->parameter_count; k++) {
-        double place[CLOD_PLAN_PARAMETERS];
-        char path[PATH];
-        for (size_t m = 0; m < self->parameter_count; m++) {
-            place[m] = m == k / 2 ? (double)(k % 2) : 0.5;
+        clod_status why = {CLOD_OK, ""};
+        if (loads_end(self, test, k / 2, (int)(k % 2), &why)) {
+            continue;
         }
-        path_of_end(self, k / 2, k % 2 == 0 ? "from" : "to", path);
-        if (!accepts(loader, self, test, place, path)) {
-            return false;
+        bool told = false;
+        for (size_t i = 0; i < self->parameter_count && !told; i++) {
+            told = is_refused(loader, self, test, i);
         }
+        if (!told) {
+            char path[PATH];
+            snprintf(path, sizeof path, "parameters.%.60s.%s", self->parameters[k / 2].name,
+                     ENDS[k % 2]);
+            fail_end(loader, test, path, &why);
+        }
+        return false;
     }
     return true;
 }
@@ -203,7 +243,7 @@ static bool accepts_corners(clod_loader *loader, const clod_plan *self,
         for (size_t k = 0; k < self->parameter_count; k++) {
             place[k] = (double)(corner >> k & 1);
         }
-        if (!accepts(loader, self, test, place, NULL)) {
+        if (!accepts(loader, self, test, place)) {
             return false;
         }
     }
@@ -214,13 +254,13 @@ static bool accepts_corners(clod_loader *loader, const clod_plan *self,
 static bool accepts_design(clod_loader *loader, const clod_plan *self,
                            const clod_plan_test *test)
 {
-    const size_t most = self->points > 0 ? (size_t)self->points : CLOD_PLAN_POINTS;
+    const size_t most = self->points > 0 ? (size_t)self->points : CLOD_PLAN_BUDGET_POINTS;
     const size_t count = clod_plan_design_points(self->parameter_count, most);
     double *places = clod_memory_alloc(count * self->parameter_count, sizeof *places);
     bool good = places != NULL && clod_sobol_fill(self->parameter_count, count, places);
     loader->report->lost = loader->report->lost || !good;
     for (size_t i = 0; i < count && good; i++) {
-        good = accepts(loader, self, test, places + i * self->parameter_count, NULL);
+        good = accepts(loader, self, test, places + i * self->parameter_count);
     }
     clod_memory_free(places);
     return good;

@@ -174,14 +174,6 @@ static const char *separator(const char *const *numbers, size_t k)
     return k == 0 ? "" : last ? " or " : ", ";
 }
 
-/** Whether a path leads to an angle of repose of a run: at its end, or over its steady time. */
-static bool is_repose(const char *path)
-{
-    const char *last = strrchr(path, '.');
-    return strncmp(path, "repose.", strlen("repose.")) == 0 &&
-           (strcmp(last, ".angle_deg") == 0 || strcmp(last, ".mean_deg") == 0);
-}
-
 /** The angle of repose that the plan names; NULL after a complaint. */
 static const clod_number *angle_named(maker *self, size_t test)
 {
@@ -193,7 +185,7 @@ static const clod_number *angle_named(maker *self, size_t test)
         return NULL;
     }
     const clod_number *kind = clod_plan_targets_number(self, test);
-    if (kind != NULL && !is_repose(self->wish->number)) {
+    if (kind != NULL && !clod_number_path_is_repose(kind)) {
         clod_check_fail(
             self->loader, clod_plan_targets_at(self, "number"),
             "%s is no angle of repose, which the table has; it is repose.NAME.angle_deg, of a heap at the end "

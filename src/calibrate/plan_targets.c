@@ -237,9 +237,12 @@ static void make_number(maker *self, size_t test)
     }
     if (made.value < kind->least || made.value > kind->most) {
         clod_check_fail(self->loader, clod_plan_targets_at(self, "value"),
-                        "%s is impossible; allowed is %.6g to %.6g %s: check its unit",
+                        "%s is impossible; allowed is %.6g to %.6g %s: check its unit%s",
                         wish->value, kind->measure.factor * kind->least,
-                        kind->measure.factor * kind->most, kind->measure.unit);
+                        kind->measure.factor * kind->most, kind->measure.unit,
+                        clod_number_is_path(kind)
+                            ? ", which is that of the name where none is written"
+                            : "");
         return;
     }
     if (made.value < 0.0 && clod_number_is_path(kind) &&

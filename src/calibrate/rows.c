@@ -21,6 +21,8 @@
 #include "output/folder_names.h"
 
 #define MARK "design.txt"
+#define MOST_SHOWN 160 ///< bytes of a line of it
+#define SHOWN (MOST_SHOWN + 8)
 #define LAST_BYTES 2000 ///< of a log that are looked at
 #define WORDS 400       ///< bytes kept of them
 
@@ -264,6 +266,46 @@ static char *describe(const clod_runs *runs)
     return clod_text_close(&text);
 }
 
+/** The line that begins here, without what it is indented by, cut to be shown. */
+static void show_line(const char *at, char line[SHOWN])
+{
+    at += strspn(at, " ");
+    const size_t length = strcspn(at, "\n");
+    if (at[0] == '\0') {
+        snprintf(line, SHOWN, "no line");
+    } else {
+        snprintf(line, SHOWN, "\"%.*s%s\"", (int)(length < MOST_SHOWN ? length : MOST_SHOWN),
+                 at, length > MOST_SHOWN ? " ..." : "");
+    }
+}
+
+/** Whether the folder's design is that of this plan; a complaint with the first line that is not. */
+static bool is_same(const char *folder, const char *before, const char *now,
+                    clod_status *status)
+{
+    size_t line = 1, start = 0;
+    for (size_t k = 0; before[k] == now[k]; k++) {
+        if (now[k] == '\0') {
+            return true;
+        }
+        if (now[k] == '\n') {
+            line++;
+            start = k + 1;
+        }
+    }
+    char theirs[SHOWN], own[SHOWN];
+    show_line(before + start, theirs);
+    show_line(now + start, own);
+    return clod_status_fail(
+        status, CLOD_USAGE,
+        "%s has runs of another plan: line %zu of its " MARK
+        " is %s, and that of this plan %s. "
+        "Parameters, ranges, seeds, cases, files they name and the version of clod must be the "
+        "same. Give another folder with -o, or remove this one. (Targets, budget and points may "
+        "change.)",
+        folder, line, theirs, own);
+}
+
 bool clod_rows_mark(const clod_runs *runs, clod_status *status)
 {
     char *text = describe(runs);
@@ -274,15 +316,34 @@ bool clod_rows_mark(const clod_runs *runs, clod_status *status)
     good = good && clod_folder_read(runs->folder, MARK, &before, &size, status);
     if (good && before == NULL) {
         good = clod_folder_write(runs->folder, MARK, text, status);
-    } else if (good && strcmp(before, text) != 0) {
-        good = clod_status_fail(
-            status, CLOD_USAGE,
-            "%s has runs of another plan: parameters, ranges, seeds, cases, files they name "
-            "or the version of clod differ from its " MARK
-            ". Give another folder with -o, or remove this one. "
-            "(Targets, budget and points may change.)",
-            runs->folder->path);
+    } else if (good) {
+        good = is_same(runs->folder->path, before, text, status);
     }
+    clod_memory_free(before);
+    clod_memory_free(text);
+    return good;
+}
+
+bool clod_rows_look(const clod_runs *runs, const char *directory, clod_status *status)
+{
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/" MARK, directory);
+    bool there;
+    if (!clod_file_is_there(path, &there, status)) {
+        return false;
+    }
+    if (!there) {
+        return true;
+    }
+    void *before;
+    size_t size;
+    if (!clod_file_read(path, &before, &size, status)) {
+        return false;
+    }
+    char *text = describe(runs);
+    const bool good = text != NULL
+                          ? is_same(directory, before, text, status)
+                          : clod_status_fail(status, CLOD_FAILED, "No memory for the design.");
     clod_memory_free(before);
     clod_memory_free(text);
     return good;

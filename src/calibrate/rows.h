@@ -37,5 +37,9 @@ void clod_rows_trim(const clod_runs *runs, size_t row);
  *  without memory. */
 char *clod_rows_last_words(const clod_runs *runs, size_t row);
 
-/** Look whether the folder is of this plan, and mark it when it is new. */
+/** Look whether the folder is of this plan, and mark it when it is new.
+ *  Errors  CLOD_USAGE: of another plan, with the first line that differs; CLOD_FAILED. */
 bool clod_rows_mark(const clod_runs *runs, clod_status *status);
+
+/** Look whether a folder that may not be there is of this plan; the folder of `runs` is not read. Errors  as above. */
+bool clod_rows_look(const clod_runs *runs, const char *directory, clod_status *status);

@@ -222,6 +222,18 @@ clod_runs *clod_runs_open(const clod_plan *plan, const char *directory,
     return self;
 }
 
+bool clod_runs_look(const clod_plan *plan, const char *directory, clod_status *status)
+{
+    clod_runs *self = clod_memory_alloc(1, sizeof *self);
+    if (self == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the runs.");
+    }
+    *self = (clod_runs){.plan = plan};
+    const bool good = keep_cases(self, status) && clod_rows_look(self, directory, status);
+    clod_runs_close(&self);
+    return good;
+}
+
 void clod_runs_close(clod_runs **self)
 {
     if (self == NULL || *self == NULL) {

@@ -63,6 +63,13 @@ typedef struct clod_runs {
 clod_runs *clod_runs_open(const clod_plan *plan, const char *directory,
                           const clod_runs_options *options, clod_status *status);
 
+/**
+ * See that a folder has no runs of another plan, without opening it; one that is not there has none.
+ * Errors  CLOD_USAGE: it has, with the first line of its design.txt that differs; CLOD_FAILED: disk, memory.
+ * Test    tests/calibrate/test_calibrate_runs.py
+ */
+bool clod_runs_look(const clod_plan *plan, const char *directory, clod_status *status);
+
 void clod_runs_close(clod_runs **self);
 
 /** As clod_study_source has it: run what has no row yet, then read the numbers.

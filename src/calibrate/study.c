@@ -66,12 +66,20 @@ static bool count_points(const clod_plan *plan, const clod_study_source *source,
     }
     const double each = source->seconds(source->context, 1);
     const size_t least = clod_plan_least_points(plan->parameter_count);
-    const double fit = fmin(floor(plan->budget / each), CLOD_PLAN_POINTS);
+    const double fit = clod_estimate_points(plan, each);
     *points = (size_t)fit;
     char text[240], words[CLOD_ESTIMATE_WORDS], more[CLOD_ESTIMATE_WORDS];
     const char *budget = clod_estimate_clock(plan->budget, words);
-    snprintf(text, sizeof text, "the first point took %.3g s: %.0f point%s fit into %s", each,
-             fit, clod_plural(fit), budget);
+    if (fit < CLOD_PLAN_BUDGET_POINTS) {
+        snprintf(text, sizeof text, "the first point took %.3g s: %.0f point%s fit into %s",
+                 each, fit, clod_plural(fit), budget);
+    } else {
+        snprintf(text, sizeof text,
+                 "the first point took %.3g s: %d points, the most that a budget buys, take %s "
+                 "of its %s",
+                 each, CLOD_PLAN_BUDGET_POINTS,
+                 clod_estimate_clock(CLOD_PLAN_BUDGET_POINTS * each, more), budget);
+    }
     tell(source, text);
     if (*points < least) {
         return clod_status_fail(

@@ -11,6 +11,7 @@
 #include "config/suggest.h"
 
 #define LONGEST_UNIT 48
+#define WEIGHT (2 * LONGEST_UNIT) ///< bytes: gcc cannot see that one more is enough
 
 static const clod_unit_kind KINDS[] = {
     {"1", "a number", "number", "%"},
@@ -237,6 +238,7 @@ static bool open_database(void)
             add_name("deg", CLOD_UNIT_DEGREE, "radian");
             add_name("psf", 1.0, "lbf/ft^2");
             add_name("pcf", 1.0, "lb/ft^3");
+            add_name("kp", 1.0, "kgf");
         }
     }
     return database != NULL;
@@ -316,6 +318,39 @@ static bool fail_kind(const char *written, const clod_unit_kind *kind, double va
     return false;
 }
 
+/** A mass on an area in place of its weight: g/cm2 for gf/cm2; "": `written` is none, or its mass does not come first. */
+static void find_weight(const char *written, char weight[WEIGHT])
+{
+    size_t mass = 0;
+    while (isalpha((unsigned char)written[mass])) {
+        mass++;
+    }
+    double one = 1.0;
+    snprintf(weight, WEIGHT, "%.*sf%s", (int)mass, written, written + mass);
+    pthread_mutex_lock(&lock);
+    const bool found = convert_locked(written, "kg/m2", &one) == CONVERTED &&
+                       convert_locked(weight, "Pa", &one) == CONVERTED;
+    pthread_mutex_unlock(&lock);
+    weight[found ? strlen(weight) : 0] = '\0';
+}
+
+/** Units that go together and are not of the kind that is asked for. */
+static bool fail_other(const char *written, const clod_unit_kind *kind, double value,
+                       char *message)
+{
+    char weight[WEIGHT] = "";
+    if (strcmp(kind->unit, "Pa") == 0) {
+        find_weight(written, weight);
+    }
+    if (weight[0] == '\0') {
+        return fail_kind(written, kind, value, message);
+    }
+    snprintf(message, CLOD_UNIT_MESSAGE,
+             "%.10g %s is a mass on an area, not a pressure; its weight on it is %.10g %s",
+             value, written, value, weight);
+    return false;
+}
+
 bool clod_unit_convert(const char *written, const char *unit, double *value,
                        char message[CLOD_UNIT_MESSAGE])
 {
@@ -381,6 +416,6 @@ bool clod_unit_convert_like(const char *written, const char *unit, const char *e
     case UNKNOWN_UNIT:
         return fail_unknown(clean, message);
     default:
-        return fail_kind(clean, kind, *value, message);
+        return fail_other(clean, kind, *value, message);
     }
 }

@@ -109,12 +109,37 @@ static bool waits_for_key(const builder *self)
            self->key == NULL;
 }
 
+/** Whether a key is what stands behind the comma of a number: {from: 0,2} has the keys from and 2 in YAML. */
+static bool check_comma(const builder *self, const clod_node *above, const char *key,
+                        clod_place place)
+{
+    const clod_node *before = above->count > 0 ? above->items[above->count - 1] : NULL;
+    if (before == NULL || before->kind != CLOD_NODE_SCALAR || key[0] < '0' || key[0] > '9') {
+        return true;
+    }
+    clod_place all = before->place;
+    const size_t sign = strspn(before->text, "+-"),
+                 digits = strspn(before->text + sign, "0123456789");
+    if (digits == 0 || before->text[sign + digits] != '\0' || all.line != place.line ||
+        all.column + all.width + 1 != place.column) {
+        return true;
+    }
+    all.width += 1 + place.width;
+    clod_report_add(self->report, all, "",
+                    "write the decimal point as a point, not a comma: %s: %s.%s", before->key,
+                    before->text, key);
+    return false;
+}
+
 static bool take_key(builder *self, const char *text, clod_place place)
 {
     if (text[0] == '\0' || strlen(text) > LONGEST_KEY) {
         return fail(self, place, "a key is a short word, followed by a colon and a space");
     }
     const clod_node *above = self->open[self->depth - 1];
+    if (!check_comma(self, above, text, place)) {
+        return false;
+    }
     const clod_node *twin = clod_tree_find(above, text);
     if (twin != NULL) {
         clod_report_add(self->report, place, "",

@@ -180,6 +180,27 @@ static void expect_error(const char *text, const char *wanted)
     }
 }
 
+// 1 lb/ft3 is 0.45359237 kg in (0.3048 m)^3, so 50 are 800.9 kg/m3.
+static void a_density_in_pounds_is_told(void **state)
+{
+    clod_bulk_density_point points[] = {{.sigma_1 = 1e3, .rho_b = 50.0},
+                                        {.sigma_1 = 1e4, .rho_b = 55.0}};
+    clod_bulk_density self;
+    clod_status status = {0};
+    (void)state;
+    assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
+    assert_int_equal(self.warning_count, 1);
+    assert_string_equal(self.warnings[0],
+                        "rho_b is 50.0 kg/m3, as light as perlite, foam or aerogel. Is it in "
+                        "lb/ft3? 50.0 lb/ft3 are 801 kg/m3.");
+    clod_bulk_density_fini(&self);
+    points[0].rho_b = 101.0;
+    points[1].rho_b = 105.0;
+    assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
+    assert_int_equal(self.warning_count, 0);
+    clod_bulk_density_fini(&self);
+}
+
 static void what_is_no_density_is_refused(void **state)
 {
     (void)state;
@@ -200,6 +221,7 @@ int main(void)
         cmocka_unit_test(points_off_the_law_are_told),
         cmocka_unit_test(an_exponent_that_no_solid_has_is_told),
         cmocka_unit_test(stated_errors_as_large_as_their_values_are_told),
+        cmocka_unit_test(a_density_in_pounds_is_told),
         cmocka_unit_test(what_is_no_density_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

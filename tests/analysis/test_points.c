@@ -179,6 +179,17 @@ static void wrong_rows(void **state)
                  "p.csv:2: column sigma_pre: \"\" is empty; fill it in, or give --sigma-pre.");
     expect_error(HEAD "10,,2,3.4\n", &NONE,
                  "p.csv:2: column tau_pre: \"\" is empty; fill it in, or give --tau-pre.");
+    // merged cells: no one value is that of the empty ones
+    expect_error(
+        HEAD "10,8.5,2,3.4\n,,4,4.8\n20,17,4,6.8\n", &NONE,
+        "p.csv:3: column sigma_pre: \"\" is empty; fill it in. (Of merged cells a file has the "
+        "first alone.)");
+    expect_error(
+        HEAD "10,8.5,2,3.4\n10,,4,4.8\n20,17,4,6.8\n", &NONE,
+        "p.csv:3: column tau_pre: \"\" is empty; fill it in. (Of merged cells a file has the "
+        "first alone.)");
+    expect_error(HEAD "10,8.5,2,3.4\n,8.5,4,4.8\n10,8.5,6,6.2\n", &NONE,
+                 "p.csv:3: column sigma_pre: \"\" is empty; fill it in, or give --sigma-pre.");
     expect_error(HEAD "10,nan,2,3.4\n", &NONE,
                  "p.csv:2: column tau_pre: \"nan\" is not a number; units stand in the header "
                  "only.");
@@ -187,6 +198,33 @@ static void wrong_rows(void **state)
                  &NONE, "p.csv:2: column seed: \"1.5\" is not a whole number, 0 or more.");
     expect_error("rho_b [kg/m3]," HEAD "-1,10,8.5,2,3.4\n", &NONE,
                  "p.csv:2: column rho_b: \"-1\" must be above 0.");
+}
+
+// As a spreadsheet writes a column that once had something in it.
+static void empty_columns_at_the_end_are_none(void **state)
+{
+    (void)state;
+    clod_locus_point *points;
+    assert_int_equal(parse_good("sigma_pre [kPa];tau_pre [kPa];sigma_sh [kPa];tau_sh [kPa];;\n"
+                                "10;8.5;2;3.4;;\n10;8.5;4;4.8\n10;8.5;6;6.2; ;\r\n",
+                                &NONE, &points),
+                     3);
+    assert_near(points[2].tau_s, 6200.0, 1e-15);
+    clod_locus_free(points);
+    assert_int_equal(parse_good(HEAD "10,8.5,2,3.4,\n", &NONE, &points), 1);
+    clod_locus_free(points);
+    expect_error("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],\n10,8.5,2,3.4,5\n",
+                 &NONE, "p.csv:2: 5 cells, but the header has 4 columns.");
+    // the last column is one, although it is empty here
+    assert_int_equal(
+        parse_good("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b "
+                   "[kg/m3]\n10,8.5,2,3.4,\n",
+                   &NONE, &points),
+        1);
+    clod_locus_free(points);
+    expect_error(
+        "sigma_pre [kPa],,tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n10,,8.5,2,3.4\n", &NONE,
+        "p.csv:1: column 2 of the header has no name; give it one, or remove the column.");
 }
 
 #define DENSE "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
@@ -294,6 +332,7 @@ int main(void)
         cmocka_unit_test(many_rows_are_kept),
         cmocka_unit_test(wrong_headers),
         cmocka_unit_test(wrong_rows),
+        cmocka_unit_test(empty_columns_at_the_end_are_none),
         cmocka_unit_test(wrong_densities),
         cmocka_unit_test(densities_that_may_be),
         cmocka_unit_test(wrong_defaults),

@@ -83,6 +83,39 @@ static void a_bad_group_is_named(void **state)
     assert_string_equal(status.text, "There are no shear points.");
 }
 
+// 1 lb/ft3 is 0.45359237 kg in (0.3048 m)^3, so 55.1 are 882.6 kg/m3.
+static void a_density_in_pounds_is_told_once(void **state)
+{
+    (void)state;
+    static clod_status status;
+    static const double SIGMA[] = {3e3, 4.5e3, 6e3};
+    clod_locus_point points[6];
+    points_on_line(1e3, 35.0 * DEG, 10e3, 7.6e3, SIGMA, 3, points);
+    points_on_line(1e3, 35.0 * DEG, 20e3, 14.6e3, SIGMA, 3, points + 3);
+    for (size_t i = 0; i < 6; i++) {
+        points[i].rho_b = i < 3 ? 57.1 : 55.1;
+    }
+    clod_locus_study *study = clod_locus_study_create(points, 6, &status);
+    assert_false(has_warning(&study->groups[0].locus, "lb/ft3"));
+    assert_true(
+        has_warning(&study->groups[1].locus,
+                    "rho_b is 55.1 kg/m3, as light as perlite, foam or aerogel. Is it in "
+                    "lb/ft3? 55.1 lb/ft3 are 883 kg/m3."));
+    clod_locus_study_destroy(&study);
+    for (size_t i = 0; i < 6; i++) {
+        points[i].rho_b = i < 3 ? 0.0 : 99.0; // the first have none
+    }
+    study = clod_locus_study_create(points, 6, &status);
+    assert_true(has_warning(&study->groups[1].locus, "rho_b is 99.0 kg/m3"));
+    clod_locus_study_destroy(&study);
+    for (size_t i = 0; i < 6; i++) {
+        points[i].rho_b = i < 3 ? 0.0 : 101.0;
+    }
+    study = clod_locus_study_create(points, 6, &status);
+    assert_false(has_warning(&study->groups[1].locus, "lb/ft3"));
+    clod_locus_study_destroy(&study);
+}
+
 /** 9.7, 10.0 and 10.3 kPa are 3 % apart: three loci, as the error says, with its neighbours. */
 static void preshears_that_are_close_are_told(void **state)
 {
@@ -274,6 +307,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_sorted_into_groups_and_seeds),
         cmocka_unit_test(a_bad_group_is_named),
+        cmocka_unit_test(a_density_in_pounds_is_told_once),
         cmocka_unit_test(preshears_that_are_close_are_told),
         cmocka_unit_test(json_has_every_number),
         cmocka_unit_test(json_of_undefined_is_null),

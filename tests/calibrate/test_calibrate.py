@@ -208,11 +208,11 @@ class Calibrate(bounce.Bounce):
         self.assertIn("so 0 fit, and 1 parameter needs at least 5", refused.stderr)
         self.assertEqual(refused.stdout, "")
         told = self.calibrate(PLAN.replace("points: 9", "budget: 1 d"), "--check").stderr
-        self.assertIn("about 1000 points fit the budget of 24 h 00 min", told)
+        self.assertRegex(told, r"a budget buys 256 points at most, which take [0-9.]+ s of its 24 h 00 min\. More seeds")
         told = self.calibrate(PLAN.replace("points: 9", "budget: 48 h"), "--check").stderr
-        self.assertIn("points fit the budget of 2.0 days", told)
+        self.assertIn("of its 2.0 days", told)
         told = self.calibrate(PLAN.replace("points: 9", "budget: 25 min"), "--check").stderr
-        self.assertIn("points fit the budget of 25 min", told)
+        self.assertIn("of its 25 min", told)
         self.assertNotIn("too small", told)
         self.assertFalse(os.path.exists(self.path("run")))
 
@@ -345,8 +345,32 @@ class Calibrate(bounce.Bounce):
 
     def test_folder_of_another_plan_is_refused(self):
         self.calibrate(PLAN, "-o", "out")
-        done = self.calibrate(PLAN.replace("to: 0.9", "to: 0.8"), "-o", "out", code=2)
-        self.assertIn("out has runs of another plan", done.stderr)
+        # title, clod and seed are above the parameter
+        words = ("out has runs of another plan: line 4 of its design.txt is \"parameter contacts.default.restitution "
+                 "0.20000000000000001 0.90000000000000002  linear\", and that of this plan \"parameter "
+                 "contacts.default.restitution 0.20000000000000001 0.80000000000000004  linear\".")
+        other = PLAN.replace("to: 0.9", "to: 0.8")
+        self.assertIn(words, self.calibrate(other, "-o", "out", code=2).stderr)
+        checked = self.calibrate(other, "-o", "out", "--check", code=2)
+        self.assertIn(words, checked.stderr)
+        self.assertNotIn("in order", checked.stdout)
+
+        seeds = self.calibrate(PLAN.replace("seeds: 2", "seeds: 3"), "-o", "out", code=2).stderr
+        self.assertIn("line 3 of its design.txt is \"seed 1, seeds 2\", and that of this plan \"seed 1, seeds 3\".", seeds)
+        with open(self.path("bounce.yaml")) as file:
+            case = file.read()
+        self.write("bounce.yaml", case.replace("count: 12", "count: 11"))
+        grains = self.calibrate(PLAN, "-o", "out", "--check", code=2).stderr
+        self.assertRegex(grains, r"line \d+ of its design.txt is \"count: 12\", and that of this plan \"count: 11\"\.")
+        self.write("bounce.yaml", case)
+
+        # the same command, and other targets and points
+        self.assertIn("in order", self.calibrate(PLAN, "-o", "out", "--check").stdout)
+        same = PLAN.replace("points: 9", "points: 12").replace("error: 4e-6", "error: 8e-6")
+        self.assertIn("in order", self.calibrate(same, "-o", "out", "--check").stdout)
+        os.makedirs(self.path("empty"))
+        self.assertIn("in order", self.calibrate(PLAN, "-o", "empty", "--check").stdout)
+        self.assertEqual(os.listdir(self.path("empty")), [])
 
     def test_set_changes_keys_as_an_edit_of_the_plan_does(self):
         """The bytes are those of the edited plan; other ranges need another folder, other errors do not."""

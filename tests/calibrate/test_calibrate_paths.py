@@ -121,7 +121,7 @@ class Paths(bounce.Bounce):
 
     def plan_of(self, paths):
         """A plan with these numbers as targets beside the one that it has."""
-        more = "".join(f"  - {{test: bounce, number: {path}, value: 1, error: 0.1, held_back: true}}\n" for path in paths)
+        more = "".join(f"  - {{test: bounce, number: {path}, value: 7, error: 0.7, held_back: true}}\n" for path in paths)
         return PLAN.replace("error: 4e-6}\n", "error: 4e-6}\n" + more)
 
     def checked(self, paths):
@@ -204,9 +204,9 @@ class Paths(bounce.Bounce):
         every = {re.sub(r"\.\d+", ".0", path): path for path in leaves(self.run_stream()) if path != "kinetic_energy_J"}
         paths, lines = [path for path in every.values() if not path.startswith("clumps.counts.")], []
         for first in range(0, len(paths), 50):
-            self.write("plan.yaml", self.plan_of(paths[first:first + 50]).replace("value: 1,", "value: 1 kg2,"))
+            self.write("plan.yaml", self.plan_of(paths[first:first + 50]).replace("value: 7,", "value: 7 kg2,"))
             done = clod.run("calibrate", "plan.yaml", "--check", cwd=self.folder)
-            lines += [line for line in done.stderr.splitlines() if ".value: 1 kg2" in line]
+            lines += [line for line in done.stderr.splitlines() if ".value: 7 kg2" in line]
         self.assertEqual(len(lines), len(paths), lines)
         units = set()
         for path, line in zip(paths, lines):

@@ -58,6 +58,35 @@ class Plan(bounce.Bounce):
         self.refuse((ends, "key: contacts.default.restitution, from: -0.2, to: 0.9"),
                     words=["parameters.e.from: test bounce refuses it", "is out of range"])
 
+    def test_decimal_commas(self):
+        """In braces YAML ends a value at its comma: from is 0, and 25 another key."""
+        ends = "key: contacts.default.restitution, from: 0.2, to: 0.9"
+        for line, place in ((ends.replace("0.2", "0,25"), "5:48"), (ends.replace("0.9", "0,9"), "5:57")):
+            told = self.refuse((ends, line), words=[f"plan.yaml:{place}: write the decimal point as a point, not a comma: "])
+            self.assertEqual(len(told.splitlines()), 3, told)
+        self.refuse(("value: 1e-4", "value: -3,5 J"), words=["not a comma: value: -3.5 J"])
+        self.refuse((f"  e: {{{ends}}}", "  e:\n    key: contacts.default.restitution\n    from: 0,2\n    to: 0.9"),
+                    words=["plan.yaml:7:11: parameters.e.from: 0,2: write the decimal point as a point, not a comma"])
+        # a key of digits is one as long as it is not part of a number
+        self.refuse((ends, ends + ", 5: 1"), words=["parameters.e.5: this key is not known"])
+
+    def test_a_refused_key_is_told_at_its_own_parameter(self):
+        """Not at the first one, whose ends are tried first."""
+        ends = "to: 0.9}\n"
+        second = ends + "  mu: {key: contacts.default.friction, from: 0.1, to: 0.5}\n"
+        self.assertIn("in order", self.calibrate(PLAN.replace(ends, second), "--check").stdout)
+        for key, word in (("contacts.ore-flor.friction", "there is no material flor"),
+                          ("contacts.default.frictoin", "did you mean friction?"),
+                          ("contacts.default.coulomb", "is not one of")):
+            told = self.refuse((ends, second.replace("contacts.default.friction", key)),
+                               words=["plan.yaml:6:13: parameters.mu.key: test bounce refuses it: --set " + key, word])
+            self.assertEqual(told.count("refuses it"), 1)
+        self.refuse((ends, second.replace("to: 0.5", "to: 1000")),
+                    words=["plan.yaml:6:55: parameters.mu.to: test bounce refuses it", "1000 is out of range"])
+        # refused at both ends, so that no end of the range is to blame
+        self.refuse((ends, second.replace("{key", "{multiples: {contacts.default.frictoin: 2}, key")),
+                    words=["plan.yaml:6:47: parameters.mu.multiples.contacts.default.frictoin: test bounce refuses it"])
+
     def test_a_test_without_targets_is_refused(self):
         """Its runs would tell nothing. A held-back target is enough."""
         other = ("  bounce: {case: bounce.yaml}\n", "  bounce: {case: bounce.yaml}\n  more: {case: bounce.yaml}\n")

@@ -129,7 +129,8 @@ class Runs(bounce.Bounce):
         version = clod.run("--version").stdout.splitlines()[0]
         self.assertIn(f"clod {version}\n", design)
         self.write("out/design.txt", design.replace(f"clod {version}\n", "clod 0.0.1\n"))
-        self.assertIn("the version of clod", self.calibrate(SHORT, "-o", "out", code=2).stderr)
+        self.assertIn(f"line 2 of its design.txt is \"clod 0.0.1\", and that of this plan \"clod {version}\".",
+                      self.calibrate(SHORT, "-o", "out", code=2).stderr)
 
     # ---- counted once
 

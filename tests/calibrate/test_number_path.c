@@ -11,7 +11,7 @@ static clod_case_wall walls[] = {{.name = "floor", .material = ore, .spin_axis =
                                  {.name = "at_2_m", .material = ore, .spin_axis = {0, 0, 1}}};
 static clod_case_repose reposes[] = {{.name = "heap"}};
 static clod_case_gauge gauges[] = {{.name = "exit", .direction = {1.0, 0.0, 0.0}},
-                                   {.name = "at_60_deg"}};
+                                   {.name = "at_60_deg", .profile_bins = 4}};
 static clod_case heap = {.materials = materials,
                          .material_count = 1,
                          .walls = walls,
@@ -104,6 +104,25 @@ static void targets_that_are_never_negative(void **state)
     assert_false(is_amount("grains", 0));
     assert_false(is_amount("repose.heap.angle_deg", 1));
     assert_false(is_amount("walls.0.force_N.2", 1));
+}
+
+// Only of a heap, and the load of a belt: an angle at which grains hit a wall has no such bounds.
+static void which_angles_have_bounds(void **state)
+{
+    (void)state;
+    const clod_number *heap_angle = clod_number_find(&test, "repose.heap.angle_deg");
+    assert_true(clod_number_path_is_repose(heap_angle));
+    assert_ptr_equal(clod_number_find(&test, "repose.heap.mean_deg"), heap_angle);
+    assert_true(fabs(heap_angle->least / DEGREE - 5.0) < 1e-12);
+    assert_true(fabs(heap_angle->most / DEGREE - 90.0) < 1e-12);
+    assert_false(
+        clod_number_path_is_repose(clod_number_find(&test, "repose.heap.deviation_deg")));
+    assert_true(isinf(clod_number_find(&test, "repose.heap.error_deg")->least));
+    const clod_number *surcharge =
+        clod_number_find(&test, "gauges.at_60_deg.profile.surcharge_deg");
+    assert_true(clod_number_is_path(surcharge) && !clod_number_path_is_repose(surcharge));
+    assert_true(fabs(surcharge->least / DEGREE + 90.0) < 1e-12);
+    assert_true(fabs(surcharge->most / DEGREE - 90.0) < 1e-12);
 }
 
 static void a_section_that_the_case_lacks_is_none(void **state)
@@ -236,6 +255,7 @@ int main(void)
         cmocka_unit_test(units_with_several_letters_are_not_taken_for_their_last),
         cmocka_unit_test(what_is_never_negative),
         cmocka_unit_test(targets_that_are_never_negative),
+        cmocka_unit_test(which_angles_have_bounds),
         cmocka_unit_test(a_section_that_the_case_lacks_is_none),
         cmocka_unit_test(a_place_beyond_the_end_of_a_list_is_none),
         cmocka_unit_test(values_are_si),

@@ -356,6 +356,32 @@ static void columns_that_are_wrong_are_told(void **state)
                "needs the key error: the table has no rho_b_error");
 }
 
+static bool warns(const clod_plan *plan, const char *words)
+{
+    bool found = false;
+    for (size_t k = 0; k < plan->warnings.count; k++) {
+        found = found || strstr(plan->warnings.text[k], words) != NULL;
+    }
+    return found;
+}
+
+static void densities_in_pounds_are_told(void **state)
+{
+    clod_plan plan;
+    lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n20,95\n54.8,105\n");
+    lab_load_good(state, UNIAXIAL, "locus: lab.csv, error: 9 kg/m3", &plan);
+    assert_true(warns(&plan, "lab.csv: rho_b is 95.0 kg/m3, as light as perlite"));
+    clod_plan_fini(&plan);
+    lab_write_file(state, "lab.csv", "sigma_1 [kPa],rho_b [kg/m3]\n20,101\n54.8,105\n");
+    lab_load_good(state, UNIAXIAL, "locus: lab.csv, error: 9 kg/m3", &plan);
+    assert_false(warns(&plan, "perlite"));
+    clod_plan_fini(&plan);
+    lab_write_file(state, "lab.csv", "sigma_1 [kPa],sigma_c [Pa]\n20,95\n54.8,105\n");
+    lab_load_good(state, UNIAXIAL, "locus: lab.csv, error: 9 Pa", &plan);
+    assert_false(warns(&plan, "perlite"));
+    clod_plan_fini(&plan);
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
 
 int main(void)
@@ -376,6 +402,7 @@ int main(void)
         TEST(rows_that_a_shear_test_cannot_choose_are_refused),
         TEST(table_of_another_consolidation_is_refused),
         TEST(columns_that_are_wrong_are_told),
+        TEST(densities_in_pounds_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -126,9 +126,39 @@ static void what_cannot_be_is_told(void **state)
                "none of the columns sigma_sh, sigma_w, sigma_1 and angle_of_repose");
 }
 
+// 4.9 and 90.1 deg are beyond what a table may have, 0.66 and 38 rad (2177 deg) of the wrong unit.
+static void a_value_is_possible(void **state)
+{
+    clod_plan plan;
+#define VALUE(name, value) "number: repose.heap." name ", value: " value ", error: 1 deg"
+    static const char *const IMPOSSIBLE[] = {
+        VALUE("angle_deg", "98 deg"), VALUE("angle_deg", "-38 deg"),
+        VALUE("angle_deg", "38 rad"), VALUE("angle_deg", "0.66"),
+        VALUE("mean_deg", "90.1"),    VALUE("mean_deg", "4.9 deg")};
+    for (size_t k = 0; k < sizeof IMPOSSIBLE / sizeof *IMPOSSIBLE; k++) {
+        lab_refuse(state, PILE, IMPOSSIBLE[k], "targets.0.value: ");
+        lab_refuse(state, PILE, IMPOSSIBLE[k], "is impossible; allowed is 5 to 90 deg");
+    }
+    lab_refuse(
+        state, PILE, VALUE("angle_deg", "0.66"),
+        "0.66 is impossible; allowed is 5 to 90 deg: check its unit, which is that of the "
+        "name where none is written");
+    lab_refuse(state, PILE, "number: repose.heap.angle_deg, value: 38, error: 98",
+               "98 is more than all that is possible, 5 to 90 deg");
+    static const char *const POSSIBLE[] = {VALUE("angle_deg", "0.66 rad"),
+                                           VALUE("angle_deg", "5.1"),
+                                           VALUE("mean_deg", "89.9 deg")};
+    for (size_t k = 0; k < sizeof POSSIBLE / sizeof *POSSIBLE; k++) {
+        lab_load_good(state, PILE, POSSIBLE[k], &plan);
+        clod_plan_fini(&plan);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(a_value_is_possible, temp_folder_make,
+                                        temp_folder_remove),
         cmocka_unit_test_setup_teardown(the_mean_is_the_target, temp_folder_make,
                                         temp_folder_remove),
         cmocka_unit_test_setup_teardown(the_plan_has_the_error_that_the_table_lacks,

@@ -94,6 +94,25 @@ static void units_of_the_field_are_exact(void **state)
     same(convert("2 short_ton", "kg"), 2.0 * 2000.0 * 0.45359237);
 }
 
+// A kilopond is the weight of 1 kg at 9.80665 m/s2, a pound-force that of 0.45359237 kg.
+static void masses_on_an_area_are_no_pressure(void **state)
+{
+    (void)state;
+    same(convert("2 kgf/cm2", "Pa"), 2.0 * 9.80665e4);
+    same(convert("2 kp/cm2", "Pa"), 2.0 * 9.80665e4);
+    same(convert("3 kp", "N"), 3.0 * 9.80665);
+    same(convert("1 gf/cm2", "Pa"), 98.0665);
+    same(convert("1 lbf/ft2", "Pa"), 4.4482216152605 / (0.3048 * 0.3048));
+    refused("1 g/cm2", "Pa",
+            "1 g/cm2 is a mass on an area, not a pressure; its weight on it is 1 gf/cm2");
+    refused("0.5 kg/cm^2", "Pa", "its weight on it is 0.5 kgf/cm^2");
+    refused("20 kg/m2", "Pa", "its weight on it is 20 kgf/m2");
+    refused("100 lb/ft2", "Pa", "its weight on it is 100 lbf/ft2");
+    refused("2 m-2 kg", "Pa", "2 m-2 kg is not a pressure");
+    refused("2 g/cm3", "Pa", "2 g/cm3 is not a pressure");
+    refused("2 g/cm2", "kg", "2 g/cm2 is not a mass");
+}
+
 static void typeset_spellings_are_read(void **state)
 {
     (void)state;
@@ -227,6 +246,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(degrees_are_those_of_the_limits),
         cmocka_unit_test(units_of_the_field_are_exact),
+        cmocka_unit_test(masses_on_an_area_are_no_pressure),
         cmocka_unit_test(typeset_spellings_are_read),
         cmocka_unit_test(pure_numbers_take_percent_only),
         cmocka_unit_test(zero_needs_no_unit_but_others_do),
