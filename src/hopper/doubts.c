@@ -230,6 +230,7 @@ void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes)
     clod_doubts_line(self);
     warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
+    clod_doubts_looser(self);
     warn_rathole(self);
     warn_errors(self, notes->preshear_untold);
     warn_few(self, "Yield loci", &self->solid.strength);

@@ -292,7 +292,8 @@ static bool make_points(clod_curve *curve, size_t count, clod_status *status)
            clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
 }
 
-bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *status)
+/** Bulk densities, also a loose one at 0. */
+static bool read_density(const char *path, clod_curve *curve, clod_status *status)
 {
     char *text;
     size_t length, count;
@@ -310,6 +311,15 @@ bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *
                                               .y_error = points[i].rho_b_error};
     }
     clod_locus_free(points);
+    return good;
+}
+
+bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *status)
+{
+    bool good = read_density(path, curve, status);
+    for (size_t i = 0; good && i < curve->count; i++) {
+        good = clod_bulk_density_consolidated(path, curve->points[i].x, status);
+    }
     return good;
 }
 
@@ -363,7 +373,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     clod_tables_note_replaced(from, solid, notes);
     if (!read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
         !read_property(&from->phi_t, read_phi_t, &solid->phi_t, status) ||
-        !read_property(&from->rho, clod_tables_read_density, &solid->rho, status) ||
+        !read_property(&from->rho, read_density, &solid->rho, status) ||
         !read_wall(&from->wall, &solid->wall, notes, status)) {
         return false;
     }

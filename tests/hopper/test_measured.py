@@ -149,6 +149,31 @@ class Measured(hopper_case.Case):
         self.assertTrue([text for text in found["warnings"] if text.startswith(
             "Wall yield locus: the intervals rest on the scatter of 3 specimens")], found["warnings"])
 
+    def test_a_loose_density(self):
+        """At sigma_1 0, as every report has it, straight to the next point: 1000 + (1250 - 1000) sigma_1/2 kPa. Without it rho_b is
+        held below 2 kPa, which a warning says. A table for clod locus has no such row."""
+        self.start(CASE + "bulk_density: {file: rho.csv}\n", "2,0.9,0.05,48,40,1250\n4,1.3,0.05,47,40,1300\n8,2.1,0.08,46,39,1350\n")
+        rows = "2,1250\n4,1300\n8,1350\n"
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n" + rows)
+        held = self.found()
+        said, = [text for text in held["warnings"] if text.startswith("Bulk density: ")]
+        stress = 1e-3 * min(held[shape]["sigma_1_Pa"]["value"] for shape in ("cone", "wedge"))
+        self.assertIn(f"sigma_1 is {stress:.3f} kPa, below the smallest at which it was measured, 2.000 kPa, whose 1250 kg/m3 is taken there", said)
+        self.assertEqual(held["cone"]["rho_b_kg_m3"]["value"], 1250.0)
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n0,1000\n" + rows)
+        found = self.found()
+        self.assertEqual([text for text in found["warnings"] if text.startswith("Bulk density: ")], [])
+        for shape in ("cone", "wedge"):
+            of = found[shape]
+            self.assertAlmostEqual(of["rho_b_kg_m3"]["value"], 1000 + 0.125 * of["sigma_1_Pa"]["value"], delta=1e-6)
+            self.assertAlmostEqual(of["outlet_m"]["value"] * of["rho_b_kg_m3"]["value"], 1250 * held[shape]["outlet_m"]["value"],
+                                   delta=1e-4 * 1250 * held[shape]["outlet_m"]["value"])
+        done = clod.run("locus", "rho.csv", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("rho.csv: a row has sigma_1 = 0, that of a loose density. Only clod hopper takes it", done.stderr)
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n-1,1000\n" + rows)
+        self.assertIn("must be 0 or more", self.hopper("case.yaml", code=2).stderr)
+
     def test_warnings_of_a_wall_yield_locus_are_handed_on(self):
         """clod locus and the hopper say the same of a bent one that was not steady."""
         self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))
