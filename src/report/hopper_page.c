@@ -34,8 +34,13 @@ static void tell(char text[240], const clod_hopper_field *how, const clod_hopper
     clod_hopper_cells_text(value, how, number->value);
     clod_hopper_cells_text(low, how, number->low);
     clod_hopper_cells_text(high, how, number->high);
-    snprintf(text, 240, "As measured %s, within the errors %s to %s%s%s", value, low, high, gap,
-             how->unit);
+    if (isnan(number->low)) {
+        snprintf(text, 240, "As measured %s%s%s; how far errors may move it is not known",
+                 value, gap, how->unit);
+    } else {
+        snprintf(text, 240, "As measured %s, within the errors %s to %s%s%s", value, low, high,
+                 gap, how->unit);
+    }
 }
 
 /** A card of the size to build; infinite: there is none. `none` is what takes the place of `what` then. */
@@ -112,6 +117,14 @@ static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_fo
     const double safe = 50.0 * (1.0 + design->from.interval.level);
     char outlet[64];
     tell_outlet(outlet, found);
+    if (isnan(angle->low)) {
+        snprintf(caption, sizeof caption,
+                 "half angle as measured, from the vertical, for %s: how much steeper to build "
+                 "is not known, since the wall friction has no errors",
+                 outlet);
+        put_card(out, how, angle->value, caption);
+        return;
+    }
     if (angle->low > 0.0) {
         snprintf(
             caption, sizeof caption,
