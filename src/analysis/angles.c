@@ -134,7 +134,7 @@ static bool check_points(const clod_locus *locus, const clod_locus_point *points
             return clod_status_fail(
                 status, CLOD_USAGE,
                 "%s:%zu: shear at %.3f kPa after a preshear at %.3f kPa: above its preshear stress a solid consolidates "
-                "anew, and the point belongs to no yield locus of it; standards shear at 20 to 80 %% of it. Has one of the "
+                "anew, and the point belongs to no yield locus of it; tests shear at 20 to 80 %% of it. Has one of the "
                 "two a slip or another unit, or are sigma_pre and sigma_sh exchanged? Else leave the point out.",
                 sources[source_of(sources, source_count, index)].path, p->row,
                 1e-3 * p->sigma_s, 1e-3 * p->sigma_p);

@@ -21,9 +21,8 @@ typedef struct clod_curve_point {
     size_t
         freedom; ///< degrees of freedom of what specimens share, or of y's error from repeats or
                  ///< from the scatter about a line; 0: its size is known
-    size_t
-        set; ///< of specimens: points of one set have some in common, or a chain of them; of errors with
-        ///< freedom: those of one set have one scale
+    size_t set; ///< of specimens: points of one set have some in common, or a chain of them; of
+                ///< errors with freedom: those of one set have one scale
     bool by_line; ///< y_error is what all points scatter by about their line, none was given
     size_t row;   ///< of the table, from 1 on: curves of one row have one x; 0: none
     bool joint;   ///< whether y moves with x and the others of its row
