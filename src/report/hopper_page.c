@@ -120,8 +120,10 @@ static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_fo
     if (isnan(angle->low)) {
         snprintf(caption, sizeof caption,
                  "half angle as measured, from the vertical, for %s: how much steeper to build "
-                 "is not known, since the wall friction has no errors",
-                 outlet);
+                 "is not known, since %s",
+                 outlet,
+                 found->wish.limit > 0.0 ? "the limit that is given has no limit_error"
+                                         : "the wall friction has no errors");
         put_card(out, how, angle->value, caption);
         return;
     }

@@ -205,6 +205,11 @@ class Measured(hopper_case.Case):
             self.assertIn("<tr><th>wall friction</th><td>-</td><td>-</td></tr>", page)
         wedge = self.found("--set", "wedge={half_angle: 15 deg}")["wedge"]
         self.assertEqual([wedge["half_angle_deg"]["low"], wedge["limit_deg"]["low"]], [wedge["half_angle_deg"]["value"], None])
+        self.hopper("case.yaml", "-o", "design", "--set", "wall_friction.error=1 deg", "--set", "wedge={limit: 30 deg}")
+        with open(self.path("design.html")) as file:
+            page = file.read()
+        self.assertEqual(page.count("right for"), 1)
+        self.assertIn("how much steeper to build is not known, since the limit that is given has no limit_error", page)
         wedge = self.found("--set", "wedge={limit: 30 deg, limit_error: 1 deg}")["wedge"]
         self.assertLess(wedge["half_angle_deg"]["low"], 26.0)
         self.assertIsNone(wedge["design_phi_w_deg"]["low"])
