@@ -50,7 +50,7 @@ void clod_bulk_density_fini(clod_bulk_density *self);
 /**
  * Read a table from a CSV file with units in its header.
  *
- * @param path    the file: columns sigma_1, rho_b and, optional, sigma_1_error, rho_b_error
+ * @param path    the file: columns sigma_1 (0: loose), rho_b and, optional, sigma_1_error, rho_b_error
  * @param points  [out] owned (clod_locus_free)
  * Errors  CLOD_USAGE with file:line, column, value and what to do.   Threads  safe.
  * Test    tests/analysis/test_bulk_density.c

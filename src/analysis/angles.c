@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "analysis/mohr.h"
+#include "analysis/warnings.h"
 #include "output/file.h"
 #include "output/folder_names.h"
 
@@ -121,6 +122,27 @@ static bool check_locus(const clod_locus *locus, const char *places, clod_status
     return check_preshear(locus, places, seed, status);
 }
 
+/** Points sheared above their preshear stress, which consolidated anew: they are no part of the locus. */
+static bool check_points(const clod_locus *locus, const clod_locus_point *points,
+                         const clod_angles_source *sources, size_t source_count,
+                         clod_status *status)
+{
+    for (size_t k = 0; k < locus->point_count; k++) {
+        const size_t index = locus->marks[k].index;
+        const clod_locus_point *p = &points[index];
+        if (p->sigma_s > (1.0 + CLOD_WARNINGS_SAME_STRESS) * p->sigma_p) {
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "%s:%zu: shear at %.3f kPa after a preshear at %.3f kPa: above its preshear stress a solid consolidates "
+                "anew, and the point belongs to no yield locus of it; tests shear at 20 to 80 %% of it. Has one of the "
+                "two a slip or another unit, or are sigma_pre and sigma_sh exchanged? Else leave the point out.",
+                sources[source_of(sources, source_count, index)].path, p->row,
+                1e-3 * p->sigma_s, 1e-3 * p->sigma_p);
+        }
+    }
+    return true;
+}
+
 bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *points,
                        const clod_angles_source *sources, size_t source_count,
                        clod_status *status)
@@ -139,7 +161,8 @@ bool clod_angles_check(const clod_locus_study *study, const clod_locus_point *po
                 continue;
             }
             list_places(&group->seeds[s], points, sources, source_count, places);
-            if (!check_locus(&group->seeds[s], places, status)) {
+            if (!check_points(&group->seeds[s], points, sources, source_count, status) ||
+                !check_locus(&group->seeds[s], places, status)) {
                 return false;
             }
         }

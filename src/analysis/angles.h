@@ -1,7 +1,8 @@
 #pragma once
 /**
  * @file angles.h
- * Angles of measured yield loci that no solid has, and preshear points far below their line: columns are exchanged, or have another unit.
+ * Angles of measured yield loci that no solid has, preshear points far below their line, and points above their preshear: columns are
+ * exchanged, or have another unit.
  * A simulation is never refused for them, nor the points.csv of its results folder: a specimen of few
  * grains may have any. Its loci have a warning (warnings.h).
  */
@@ -23,8 +24,8 @@ typedef struct clod_angles_source {
 } clod_angles_source;
 
 /**
- * Refuse measured yield loci of which phi_lin, or the angle phi_sf of preshear, is not 1 to 80 deg, and those of which tau_pre is less
- * than 0.4 of the line at sigma_pre.
+ * Refuse measured yield loci of which phi_lin, or the angle phi_sf of preshear, is not 1 to 80 deg, those of which tau_pre is less
+ * than 0.4 of the line at sigma_pre, and those with a point sheared at 1 % and more above its own preshear stress.
  *
  * @param study    of `points`
  * @param sources  [source_count] at least one; the last ends with the points

@@ -28,7 +28,7 @@ typedef clod_bulk_density_point point;
 #define POINT(field) .offset = offsetof(clod_bulk_density_point, field)
 
 static const clod_csv_column COLUMNS[] = {
-    {.names = {"sigma_1"}, .unit = "Pa", .positive = true, .required = true, POINT(sigma_1)},
+    {.names = {"sigma_1"}, .unit = "Pa", .required = true, POINT(sigma_1)},
     {.names = {"sigma_1_error"}, .unit = "Pa", POINT(sigma_1_error)},
     {.names = {"rho_b", "rho"},
      .unit = "kg/m3",
@@ -64,6 +64,16 @@ bool clod_bulk_density_check(const clod_csv *self, const char *column, double rh
                             "unit another one, [g/cm3]?",
                             self->path, self->line, column, rho, CLOD_BULK_DENSITY_LEAST,
                             CLOD_BULK_DENSITY_MOST);
+}
+
+bool clod_bulk_density_consolidated(const char *path, double sigma_1, clod_status *status)
+{
+    return sigma_1 > 0.0 ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: a row has sigma_1 = 0, that of a loose density. Only clod hopper takes it: leave "
+               "the row out here, or give the small stress under which it was measured.",
+               path);
 }
 
 static bool check_row(const clod_csv *self, const void *row)

@@ -27,6 +27,14 @@ bool clod_bulk_density_warn(double rho, char text[CLOD_LOCUS_WARNING_TEXT]);
 bool clod_bulk_density_is_usual(double rho);
 
 /**
+ * Whether a density was measured under a stress: a power law has none at 0, nor a simulated test.
+ *
+ * @param path  the table, as messages name it
+ * Errors  CLOD_USAGE.   Threads  pure.   Test  tests/analysis/test_bulk_density.c
+ */
+bool clod_bulk_density_consolidated(const char *path, double sigma_1, clod_status *status);
+
+/**
  * Whether a solid can pour with such a density; else it is the unit.
  *
  * @param self  the table that is read: messages say where

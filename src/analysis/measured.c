@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/bulk_density.h"
 #include "analysis/measured_header.h"
 #include "analysis/study_file.h"
 #include "base/given.h"
@@ -104,10 +105,14 @@ static bool read_density(const char *path, const char *text, size_t length,
     if (!clod_bulk_density_parse(path, text, length, &points, &count, status)) {
         return false;
     }
+    bool good = true;
+    for (size_t i = 0; good && i < count; i++) {
+        good = clod_bulk_density_consolidated(path, points[i].sigma_1, status);
+    }
     clod_status why = {0};
-    const bool good = clod_bulk_density_evaluate(points, count, &self->density, &why);
+    const bool done = good && clod_bulk_density_evaluate(points, count, &self->density, &why);
     clod_locus_free(points);
-    return good || fail_evaluation(path, &why, status);
+    return done || (good && fail_evaluation(path, &why, status));
 }
 
 static bool read_repose(const char *path, const char *text, size_t length,

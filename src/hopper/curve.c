@@ -19,6 +19,16 @@ static int by_x(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
+bool clod_curve_has_errors(const clod_curve *self)
+{
+    bool all = self->count > 0;
+    for (size_t i = 0; i < self->count; i++) {
+        const clod_curve_point *point = &self->points[i];
+        all = all && (point->x_error > 0.0 || point->y_error > 0.0 || point->spread != NULL);
+    }
+    return all;
+}
+
 void clod_curve_sort(clod_curve *self)
 {
     if (self->count > 1) {

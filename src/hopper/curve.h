@@ -19,11 +19,13 @@ typedef struct clod_curve_point {
                 ///< number at all points; NAN: it is not in this point; NULL: no specimens
     const double *x_spread; ///< likewise of x; NULL: specimens do not move it
     size_t
-        freedom; ///< degrees of freedom of what specimens share, or of y's error from repeats at
-                 ///< this point alone; 0: its size is known
-    size_t set;  ///< of specimens: points of one set have some in common, or a chain of them
-    size_t row;  ///< of the table, from 1 on: curves of one row have one x; 0: none
-    bool joint;  ///< whether y moves with x and the others of its row
+        freedom; ///< degrees of freedom of what specimens share, or of y's error from repeats or
+                 ///< from the scatter about a line; 0: its size is known
+    size_t set; ///< of specimens: points of one set have some in common, or a chain of them; of
+                ///< errors with freedom: those of one set have one scale
+    bool by_line; ///< y_error is what all points scatter by about their line, none was given
+    size_t row;   ///< of the table, from 1 on: curves of one row have one x; 0: none
+    bool joint;   ///< whether y moves with x and the others of its row
     double
         part[CLOD_CURVE_JOINT]; ///< then: move of y per standard normal number of its row, the
                                 ///< first of which moves x; y_error is all of it
@@ -72,6 +74,9 @@ typedef struct clod_curve {
     clod_curve_test test;     ///< of the specimens
     clod_curve_misfit misfit; ///< of a line
 } clod_curve;
+
+/** Whether all points have an error, or specimens that tell it, be it 0; a curve of no points has none. */
+bool clod_curve_has_errors(const clod_curve *self);
 
 /** Sort the points. */
 void clod_curve_sort(clod_curve *self);

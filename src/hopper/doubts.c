@@ -18,7 +18,7 @@ static void warn_large_error(clod_hopper *self, const clod_curve *curve, const c
 {
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i];
-        if (p->y > 0.0 && p->y_error >= p->y) {
+        if (p->y > 0.0 && p->y_error >= p->y && !p->by_line) {
             char at[40] = ""; // a single value is that of any stress
             if (curve->count > 1) {
                 snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * p->x);
@@ -133,6 +133,41 @@ static bool has_errors(const clod_curve *curve)
     return any;
 }
 
+/** Limits of mass flow whose interval nobody knows, since the wall has no errors. */
+static void warn_no_interval(clod_hopper *self)
+{
+    const clod_curve *wall = &self->solid.wall;
+    if (clod_curve_has_errors(wall)) {
+        return;
+    }
+    clod_warning_list_add(
+        &self->warnings,
+        "How far the limit of mass flow may be off is not known, since wall friction has no errors, or not at all "
+        "points: it and the half angle have no interval, and other intervals leave that out. Give %s.",
+        self->from.wall.file == NULL
+            ? "the key error of wall_friction"
+            : "tau_w_error, or points at three normal stresses or more: their scatter about "
+              "a line tells it");
+}
+
+/** Errors of a wall that are the scatter of its points. */
+static void warn_by_line(clod_hopper *self)
+{
+    const clod_curve *wall = &self->solid.wall;
+    for (size_t i = 0; i < wall->count; i++) {
+        const clod_curve_point *p = &wall->points[i];
+        if (p->by_line) {
+            clod_warning_list_add(
+                &self->warnings,
+                "Wall yield locus: points without an error get what the %zu points scatter by about their line, "
+                "%.3g kPa, drawn from Student's t of %zu degree%s of freedom: so few tell it roughly. More points, "
+                "or tau_w_error, make the interval of the half angle narrower.",
+                wall->count, 1e-3 * p->y_error, p->freedom, p->freedom == 1 ? "" : "s");
+            return;
+        }
+    }
+}
+
 /** Properties that were given without errors, and so do not widen the intervals. */
 static void warn_errors(clod_hopper *self, bool preshear_untold)
 {
@@ -141,7 +176,8 @@ static void warn_errors(clod_hopper *self, bool preshear_untold)
                                                          "wall friction"};
     char list[240] = "";
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        if (!has_errors(&self->solid.curves[k])) {
+        const clod_curve *curve = &self->solid.curves[k];
+        if (k == CLOD_SOLID_WALL ? !clod_curve_has_errors(curve) : !has_errors(curve)) {
             const size_t used = strlen(list);
             snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "", NAMES[k]);
         }
@@ -211,7 +247,7 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
     const char *what = curve->specimens > 0 ? "specimens" : "repeats";
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        const size_t freedom = curve->points[i].freedom;
+        const size_t freedom = curve->points[i].by_line ? 0 : curve->points[i].freedom;
         least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
     }
     if (least > 0 && least < FEW) {
@@ -230,10 +266,13 @@ void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes)
     clod_doubts_line(self);
     warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
+    clod_doubts_looser(self);
     warn_rathole(self);
     warn_errors(self, notes->preshear_untold);
     warn_few(self, "Yield loci", &self->solid.strength);
     warn_few(self, "Wall yield locus", &self->solid.wall);
+    warn_by_line(self);
+    warn_no_interval(self);
     if (notes->one_specimen) {
         clod_warning_list_add(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
     }

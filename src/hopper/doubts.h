@@ -71,6 +71,9 @@ void clod_doubts_beyond(clod_hopper *self, const char *name, const clod_hopper_f
 /** The same of ratholes. */
 void clod_doubts_beyond_holes(clod_hopper *self);
 
+/** Note outlets at stresses below those of the bulk density, which is held constant there: too large for them. */
+void clod_doubts_looser(clod_hopper *self);
+
 /**
  * Note what the samples say of mass flow, and of the outlet that is given beside the critical one, the particles and
  * the silo.

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "hopper/doubts.h"
+#include "hopper/fields.h"
 
 #define PLACES 4
 #define FAR 10.0   // times the largest measured stress: a length in another unit, as a rule
@@ -87,11 +88,11 @@ static void warn_far(clod_hopper *self, const char *name, const clod_hopper_foun
     }
 }
 
-void clod_doubts_beyond(clod_hopper *self, const char *name, const clod_hopper_found *found)
+/** Where a shape has outlets, and with which stresses; how many. */
+static size_t places_of(const clod_hopper *self, const clod_hopper_found *found,
+                        place at[PLACES])
 {
     const clod_hopper_design *design = &found->design;
-    place at[PLACES];
-    double sigma_1[PLACES], sigma_w[PLACES];
     size_t count = 0;
     const bool flows =
         design->outcome != CLOD_HOPPER_FUNNEL && design->outcome != CLOD_HOPPER_UNSETTLED;
@@ -111,6 +112,14 @@ void clod_doubts_beyond(clod_hopper *self, const char *name, const clod_hopper_f
                               .sigma_1 = self->slot.state.sigma_1,
                               .sigma_w = (double)NAN};
     }
+    return count;
+}
+
+void clod_doubts_beyond(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    place at[PLACES];
+    double sigma_1[PLACES], sigma_w[PLACES];
+    const size_t count = places_of(self, found, at);
     for (size_t k = 0; k < count; k++) {
         sigma_1[k] = at[k].sigma_1;
         sigma_w[k] = at[k].sigma_w;
@@ -119,6 +128,31 @@ void clod_doubts_beyond(clod_hopper *self, const char *name, const clod_hopper_f
     warn_beyond(self, name, &self->solid.strength, "sigma_1", at, sigma_1, count);
     warn_beyond(self, name, &self->solid.wall, "the normal stress at the wall", at, sigma_w,
                 count);
+}
+
+void clod_doubts_looser(clod_hopper *self)
+{
+    const clod_curve_point *least = &self->solid.rho.points[0];
+    place lowest = {.sigma_1 = (double)INFINITY};
+    const char *name = "";
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        place at[PLACES];
+        const size_t count = places_of(self, &self->shape[s], at);
+        for (size_t k = 0; k < count; k++) {
+            if (at[k].sigma_1 < lowest.sigma_1) {
+                lowest = at[k];
+                name = CLOD_HOPPER_SHAPE_NAMES[s];
+            }
+        }
+    }
+    if (self->solid.rho.count > 1 && lowest.sigma_1 < least->x * (1.0 - CLOD_DOUBTS_APART)) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Bulk density: %s (%s) sigma_1 is %.3f kPa, below the smallest at which it was measured, %.3f kPa, whose "
+            "%.0f kg/m3 is taken there. The solid is looser, and its outlet wider in proportion: give bulk_density "
+            "with smaller stresses, or with the loose density at 0 kPa.",
+            lowest.where, name, 1e-3 * lowest.sigma_1, 1e-3 * least->x, least->y);
+    }
 }
 
 void clod_doubts_beyond_holes(clod_hopper *self)

@@ -93,10 +93,11 @@ static double scatter_of(const clod_curve *wall)
     return most;
 }
 
-/** The error of a point of a wall, that of one specimen alone included. */
+/** The error of a point of a wall, that of one specimen alone included; not what it scatters by itself. */
 static double error_of(const clod_curve_point *p, double scatter)
 {
-    return p->spread != NULL ? p->y_error : fmax(p->y_error, scatter * p->y);
+    const double stated = p->by_line ? 0.0 : p->y_error;
+    return p->spread != NULL ? stated : fmax(stated, scatter * p->y);
 }
 
 /** Shear stresses at a wall do not fall while the normal stress rises: columns, rows or units are wrong. */

@@ -126,7 +126,7 @@ static double own(const clod_draw *self, uint64_t item, const clod_curve *curve,
 {
     const clod_curve_point *from = &curve->points[i];
     const bool repeats = from->spread == NULL && from->freedom > 0;
-    const uint64_t of_scale = OF_TEST(curve->test) + OF_SET(i);
+    const uint64_t of_scale = OF_TEST(curve->test) + OF_SET(from->set);
     return unshared(from->y_error, from->spread, curve->specimens) *
            (repeats ? scale_of(self, item, of_scale, from->freedom) : 1.0) *
            normal(self, item, draw);

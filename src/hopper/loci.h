@@ -5,6 +5,7 @@
  */
 
 #include <limits.h>
+#include <stdint.h>
 
 #include "hopper/joint.h"
 #include "hopper/specimens.h"
@@ -15,6 +16,7 @@ typedef struct clod_loci_row {
     clod_curve_point strength, phi_e, phi_t,
         rho;                   ///< x, and what belongs to it, in strength alone
     double tau_p, tau_p_error; ///< of preshear, from a table of loci
+    int64_t seeds;             ///< specimens, from a table of loci; 0: not told
     double correlation
         [CLOD_JOINT_PAIRS]; ///< of the errors of sigma_1, f_c, phi_e, phi_t; NAN: not known
 } clod_loci_row;

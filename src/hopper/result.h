@@ -32,7 +32,7 @@ typedef enum clod_hopper_number {
     CLOD_HOPPER_NUMBERS,
 } clod_hopper_number;
 
-/** A number and its interval; NAN: not known, then all three. */
+/** A number and its interval; NAN: not known, then all three, or the interval alone. */
 typedef struct clod_hopper_value {
     double value, low, high;
     double low_error, high_error; ///< standard errors of the ends, by the number of samples

@@ -102,7 +102,7 @@ double clod_samples_shares(double *const column[CLOD_SOLID_CURVES], double *outl
     take_ranks(outlet, count, room);
     const double all = product(outlet, outlet, count);
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        share[k] = known && column[k] != NULL ? 0.0 : (double)NAN;
+        share[k] = (double)NAN;
         varies[k] = known && column[k] != NULL && !are_same(column[k], count);
         if (varies[k]) {
             take_ranks(column[k], count, room);

@@ -45,8 +45,7 @@ typedef struct clod_samples_item {
  * @param column  [count] each, values of one curve, overwritten; NULL: of no interest
  * @param outlet  [count] m, overwritten; each a number or infinite
  * @param room    [count]
- * @param share   [out] 0: the curve was drawn without errors; NAN: no column, fewer than three
- *                outlets, or all the same
+ * @param share   [out] NAN: no column, one drawn without errors, fewer than three outlets, or all the same
  * @return        share that no curve alone tells: 1 less the coefficient of determination of the
  *                outlets' ranks by those of all curves, least squares; NAN as above
  * Errors  none.   Threads  pure.

@@ -14,6 +14,7 @@
 #include "hopper/loci.h"
 #include "hopper/storage.h"
 #include "hopper/table_kind.h"
+#include "hopper/tables_note.h"
 #include "hopper/wall.h"
 
 typedef clod_loci_row row;
@@ -42,6 +43,7 @@ static const clod_csv_column FLOW[] = {
     {.names = {"rho_inside"}, .unit = "kg/m3", .positive = true, ROW(rho.inside)},
     {.names = {"tau_p"}, .unit = "Pa", ROW(tau_p)},
     {.names = {"tau_p_error"}, .unit = "Pa", ROW(tau_p_error)},
+    {.names = {"seeds"}, .unit = "", ROW(seeds)},
     PAIR(0, "correlation_sigma_1_sigma_c", "correlation_sigma_1_f_c"),
     PAIR(1, "correlation_sigma_1_phi_e"),
     PAIR(2, "correlation_sigma_1_phi_lin", "correlation_sigma_1_phi_t"),
@@ -51,8 +53,7 @@ static const clod_csv_column FLOW[] = {
 };
 
 /** Columns that clod locus --csv and a uniaxial test write and a hopper does not need. */
-static const char *const SKIPPED[] = {"seeds",
-                                      "points",
+static const char *const SKIPPED[] = {"points",
                                       "r_squared",
                                       "flow",
                                       "sigma_p",
@@ -194,18 +195,24 @@ static bool take_rows(const row *rows, size_t count, clod_solid *solid, clod_sta
            take(rows, count, offsetof(row, rho), &solid->rho, status);
 }
 
-/** @param untold  [out] whether a row of clod locus has errors, but none of its tau_p */
-static bool read_flow(const char *path, clod_solid *solid, bool *untold, clod_status *status)
+/** What a row says of the loci that it comes of, as clod_loci_read has it of their points. */
+static void take_origin(row *at, clod_tables_notes *notes)
+{
+    const bool has_errors = at->strength.x_error > 0.0;
+    (void)clod_loci_join(at); // they were checked line by line
+    at->strength.unsure = at->strength.joint || at->seeds > 0;
+    notes->preshear_untold =
+        notes->preshear_untold || (at->tau_p > 0.0 && at->tau_p_error == 0.0 && has_errors);
+}
+
+static bool read_flow(const char *path, clod_solid *solid, clod_tables_notes *notes,
+                      clod_status *status)
 {
     void *rows;
     size_t count;
     bool good = read_file(path, &FLOW_KIND, &rows, &count, status);
-    *untold = false;
     for (size_t i = 0; i < count; i++) {
-        row *at = (row *)rows + i;
-        (void)clod_loci_join(at); // they were checked line by line
-        *untold = *untold ||
-                  (at->tau_p > 0.0 && at->tau_p_error == 0.0 && at->strength.x_error > 0.0);
+        take_origin((row *)rows + i, notes);
     }
     good = good && take_rows(rows, count, solid, status);
     clod_memory_free(rows);
@@ -214,8 +221,8 @@ static bool read_flow(const char *path, clod_solid *solid, bool *untold, clod_st
 
 bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *status)
 {
-    bool untold;
-    return read_flow(path, solid, &untold, status);
+    clod_tables_notes notes = {0};
+    return read_flow(path, solid, &notes, status);
 }
 
 /** Hand the specimens of the shear tests on to the solid, which owns them then. */
@@ -243,7 +250,7 @@ static bool read_strength(const clod_hopper_case *of, clod_solid *solid,
                           clod_tables_notes *notes, clod_status *status)
 {
     if (of->strength.file != NULL) {
-        return read_flow(of->strength.file, solid, &notes->preshear_untold, status);
+        return read_flow(of->strength.file, solid, notes, status);
     }
     clod_loci loci;
     const bool good = clod_loci_read(of, &loci, notes, status) &&
@@ -285,7 +292,8 @@ static bool make_points(clod_curve *curve, size_t count, clod_status *status)
            clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
 }
 
-bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *status)
+/** Bulk densities, also a loose one at 0. */
+static bool read_density(const char *path, clod_curve *curve, clod_status *status)
 {
     char *text;
     size_t length, count;
@@ -303,6 +311,15 @@ bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *
                                               .y_error = points[i].rho_b_error};
     }
     clod_locus_free(points);
+    return good;
+}
+
+bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *status)
+{
+    bool good = read_density(path, curve, status);
+    for (size_t i = 0; good && i < curve->count; i++) {
+        good = clod_bulk_density_consolidated(path, curve->points[i].x, status);
+    }
     return good;
 }
 
@@ -345,55 +362,6 @@ static bool read_wall(const clod_hopper_property *from, clod_curve *wall,
     return true;
 }
 
-/** A column that is empty at the smallest stress: the value of the next one stands in for it. */
-static void warn_blank(const clod_solid *solid, const clod_curve *curve, const char *what,
-                       double scale, const char *unit, clod_tables_notes *notes)
-{
-    const clod_curve_point *first = &solid->strength.points[0];
-    const clod_curve_point *next = curve->points;
-    for (size_t i = 1; i < solid->strength.count; i++) {
-        const clod_curve_point *point = &solid->strength.points[i];
-        first = point->x < first->x ? point : first;
-    }
-    for (size_t i = 1; i < curve->count; i++) {
-        next = curve->points[i].x < next->x ? &curve->points[i] : next;
-    }
-    if (curve->count > 0 && next->x > first->x) {
-        clod_warning_list_add(
-            notes->warnings,
-            "Flow function: %s is missing at the smallest sigma_1, %.6g kPa; at it, and below, that at the "
-            "next, %.6g kPa, is used: %.6g %s. Fill the gap.",
-            what, 1e-3 * first->x, 1e-3 * next->x, scale * next->y, unit);
-    }
-}
-
-/** Gaps in the columns that the design takes from the flow function. */
-static void warn_blanks(const clod_hopper_case *from, const clod_solid *solid,
-                        clod_tables_notes *notes)
-{
-    static const double DEGREES = 180.0 / M_PI;
-    if (!from->phi_e.present) {
-        warn_blank(solid, &solid->phi_e, "phi_e", DEGREES, "deg", notes);
-    }
-    if (!from->phi_t.present) {
-        warn_blank(solid, &solid->phi_t, "phi_t", DEGREES, "deg", notes);
-    }
-    if (!from->rho.present) {
-        warn_blank(solid, &solid->rho, "rho_b", 1.0, "kg/m3", notes);
-    }
-}
-
-/** A section of the case in place of a column that the flow function brought. */
-static void warn_replaced(const clod_hopper_case *from, const clod_hopper_property *by,
-                          const clod_curve *column, const char *text, clod_tables_notes *notes)
-{
-    if (by->present && column->count > 0) {
-        const char *file = from->strength.file;
-        clod_warning_list_add(notes->warnings, "%s of %s.", text,
-                              file != NULL ? file : "the shear tests");
-    }
-}
-
 bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status)
 {
@@ -401,16 +369,11 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     if (!clod_table_kind_check(from, status) || !read_strength(from, solid, notes, status)) {
         return false;
     }
-    warn_blanks(from, solid, notes);
-    warn_replaced(from, &from->phi_e, &solid->phi_e,
-                  "effective_friction replaces the column phi_e", notes);
-    warn_replaced(from, &from->phi_t, &solid->phi_t,
-                  "static_friction replaces the column phi_t", notes);
-    warn_replaced(from, &from->rho, &solid->rho, "bulk_density replaces the column rho_b",
-                  notes);
+    clod_tables_note_blanks(from, solid, notes);
+    clod_tables_note_replaced(from, solid, notes);
     if (!read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
         !read_property(&from->phi_t, read_phi_t, &solid->phi_t, status) ||
-        !read_property(&from->rho, clod_tables_read_density, &solid->rho, status) ||
+        !read_property(&from->rho, read_density, &solid->rho, status) ||
         !read_wall(&from->wall, &solid->wall, notes, status)) {
         return false;
     }

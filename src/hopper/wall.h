@@ -12,7 +12,8 @@
  * The mean of the points at each stress. Points belong together that were asked for at the same
  * wall_stress; where not all have it, those no further apart than 2 %. Of several seeds the curve
  * has a spread: how each specimen stands off along all stresses, once its own normal stress is
- * allowed for. Of points repeated without seeds it has the standard error of their mean.
+ * allowed for. Of points repeated without seeds it has the standard error of their mean. Points without an error
+ * have the scatter of all points about their line, of three stresses or more.
  *
  * @param points    [count]
  * @param curve     [out] owned points and spread (clod_curve_fini)

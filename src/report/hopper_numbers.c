@@ -166,7 +166,8 @@ static void put_causes(FILE *out, const clod_hopper *design)
         "</tbody></table></div>\n<p class=\"note\">Square of Spearman's correlation, that of "
         "ranks, over the samples, of the outlet with the value of each curve at the critical "
         "state; chance alone gives about %.2g %%. The last row is what a weighted sum of their "
-        "ranks does not tell. Measure first what has the largest share.</p>\n",
+        "ranks does not tell. A curve without errors has no share (-): it is not known. Measure first what has the "
+        "largest share.</p>\n",
         100.0 / (double)interval->samples);
 }
 

@@ -30,11 +30,28 @@ static void put_card(FILE *out, const clod_hopper_field *how, double value, cons
 static void tell(char text[240], const clod_hopper_field *how, const clod_hopper_value *number)
 {
     char value[48], low[48], high[48];
+    const char *gap = how->unit[0] != '\0' ? " " : "";
     clod_hopper_cells_text(value, how, number->value);
     clod_hopper_cells_text(low, how, number->low);
     clod_hopper_cells_text(high, how, number->high);
-    snprintf(text, 240, "As measured %s, within the errors %s to %s%s%s", value, low, high,
-             how->unit[0] != '\0' ? " " : "", how->unit);
+    if (isnan(number->low)) {
+        snprintf(text, 240, "As measured %s%s%s; how far errors may move it is not known",
+                 value, gap, how->unit);
+    } else {
+        snprintf(text, 240, "As measured %s, within the errors %s to %s%s%s", value, low, high,
+                 gap, how->unit);
+    }
+}
+
+/** A card of the size to build; infinite: there is none. `none` is what takes the place of `what` then. */
+static void put_size(FILE *out, const clod_hopper_field *how, double build, const char *what,
+                     const char *none, const char *numbers)
+{
+    clod_hopper_field shown = *how;
+    char caption[1024];
+    shown.zero = isinf(build) ? "not known" : how->zero;
+    snprintf(caption, sizeof caption, "%s. %s", isinf(build) ? none : what, numbers);
+    put_card(out, &shown, build, caption);
 }
 
 /** Which outlet the half angle is for: that of the wish or of the particles, where they are not below the critical one. */
@@ -100,6 +117,16 @@ static void put_angle(FILE *out, const clod_hopper *design, const clod_hopper_fo
     const double safe = 50.0 * (1.0 + design->from.interval.level);
     char outlet[64];
     tell_outlet(outlet, found);
+    if (isnan(angle->low)) {
+        snprintf(caption, sizeof caption,
+                 "half angle as measured, from the vertical, for %s: how much steeper to build "
+                 "is not known, since %s",
+                 outlet,
+                 found->wish.limit > 0.0 ? "the limit that is given has no limit_error"
+                                         : "the wall friction has no errors");
+        put_card(out, how, angle->value, caption);
+        return;
+    }
     if (angle->low > 0.0) {
         snprintf(
             caption, sizeof caption,
@@ -140,7 +167,7 @@ static void put_outlet(FILE *out, const clod_hopper *design, const clod_hopper_f
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
     const double build =
         isnan(outlet->high) ? outlet->high : fmax(outlet->high, found->mechanical);
-    char numbers[240], particles[96] = "", alone[128], steeper[176], caption[768];
+    char numbers[240], particles[96] = "", alone[128], steeper[176], what[96], all[768];
     tell(numbers, how, outlet);
     tell_steeper(steeper, design, found, build);
     tell_alone(alone, design, (int)found->wish.shape);
@@ -148,13 +175,14 @@ static void put_outlet(FILE *out, const clod_hopper *design, const clod_hopper_f
         snprintf(particles, sizeof particles, "; %s times the largest particle: %.1f mm",
                  cone ? "8" : "4", how->scale * found->mechanical);
     }
-    snprintf(caption, sizeof caption, "%s to build, at least%s. Critical outlet: %s%s%s%s",
+    snprintf(what, sizeof what, "%s to build, at least%s",
              cone ? "diameter of the outlet" : "width of the slot",
              found->design.outcome == CLOD_HOPPER_UNPROVEN
                  ? ", if a chart for wedges shows mass flow"
-                 : "",
-             numbers, particles, alone, steeper);
-    put_card(out, how, build, caption);
+                 : "");
+    snprintf(all, sizeof all, "Critical outlet: %s%s%s%s", numbers, particles, alone, steeper);
+    put_size(out, how, build, what,
+             "outlet to build: no outlet of mass flow is known within the errors", all);
 }
 
 static void put_margin(FILE *out, const clod_hopper_found *found)
@@ -182,14 +210,12 @@ static void put_margin(FILE *out, const clod_hopper_found *found)
 static void put_slot(FILE *out, const clod_hopper *design, const clod_hopper_found *found)
 {
     const clod_hopper_value *width = &design->slot_width;
-    char numbers[240], caption[512];
+    char numbers[240];
     tell(numbers, &CLOD_HOPPER_FIELD_SLOT, width);
-    snprintf(
-        caption, sizeof caption,
-        "width of the slot to build, at least, if it stays funnel flow; its diagonal must be "
-        "longer than the rathole's diameter. %s",
-        numbers);
-    put_card(out, &CLOD_HOPPER_FIELD_SLOT, fmax(width->high, found->mechanical), caption);
+    put_size(out, &CLOD_HOPPER_FIELD_SLOT, fmax(width->high, found->mechanical),
+             "width of the slot to build, at least, if it stays funnel flow; its diagonal must "
+             "be longer than the rathole's diameter",
+             "slot to build in funnel flow: no width is known within the errors", numbers);
 }
 
 static void put_shape(FILE *out, const clod_hopper *design, int shape)
@@ -220,13 +246,14 @@ static void put_shape(FILE *out, const clod_hopper *design, int shape)
     fputs("</div>\n", out);
 }
 
+/** A rathole: a wider outlet empties, so its safe end is the larger one. */
 static void put_hole(FILE *out, const clod_hopper *design, int hole, const char *what)
 {
     const clod_hopper_value *diameter = &design->rathole[hole];
-    char numbers[240], caption[1024];
+    char numbers[240];
     tell(numbers, &CLOD_HOPPER_CELLS_HOLES[hole], diameter);
-    snprintf(caption, sizeof caption, "%s. %s", what, numbers);
-    put_card(out, &CLOD_HOPPER_CELLS_HOLES[hole], diameter->value, caption);
+    put_size(out, &CLOD_HOPPER_CELLS_HOLES[hole], diameter->high, what,
+             "outlet to build in funnel flow: no diameter is known within the errors", numbers);
 }
 
 /** Cards of ratholes; of one that is not known, why. */
@@ -240,11 +267,12 @@ static void put_holes(FILE *out, const clod_hopper *design)
     }
     snprintf(
         what[CLOD_HOPPER_EMPTYING], sizeof what[0],
-        "diameter that stays, at least: from the stresses around the hole while it empties");
+        "diameter of the outlet to build, at least, by the stresses around the hole while it "
+        "empties: a narrower one may keep a rathole");
     snprintf(
         what[CLOD_HOPPER_FILLING], sizeof what[0],
-        "diameter that stays, at most: from the head after filling, %.3f kPa below %.4g m of "
-        "solid in a silo of %.4g m",
+        "diameter of the outlet that empties in any case, by the head after filling, %.3f kPa "
+        "below %.4g m of solid in a silo of %.4g m",
         1e-3 * design->hole.filling_stress, design->silo.height, design->silo.diameter);
     fputs("<h3>Rathole, if it is funnel flow</h3>\n", out);
     for (int k = 0; k < asked; k++) {

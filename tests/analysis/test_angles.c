@@ -107,6 +107,25 @@ static void a_long_list_of_lines_is_cut(void **state)
     assert_non_null(strstr(status.text, EXCHANGED));
 }
 
+// 1 % above its own preshear stress is forgiven; the line is that of the point.
+static void a_point_above_its_preshear(void **state)
+{
+    (void)state;
+    static clod_status status;
+    clod_locus_point points[4];
+    points_on_line(1e3, 35.0 * DEG, 10e3, 7.6e3, SIGMA, 4, points);
+    points[2].sigma_s = 10.09e3;
+    assert_true(taken(points, &status));
+    points[2].sigma_s = 10.11e3;
+    assert_false(taken(points, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_int_equal(
+        strncmp(status.text, "a.csv:4: shear at 10.110 kPa after a preshear at 10.000 kPa", 58),
+        0);
+    points[2].sigma_p = 10.02e3; // its own, and those of the locus together
+    assert_true(taken(points, &status));
+}
+
 // A comment and an empty line count as lines of the file.
 static void a_file_is_refused_and_a_run_is_not(void **state)
 {
@@ -127,6 +146,18 @@ static void a_file_is_refused_and_a_run_is_not(void **state)
     clod_locus_study *own = clod_study_of_file(path, &status);
     assert_non_null(own);
     clod_locus_study_destroy(&own);
+    out = fopen(path, "w"); // so with a point above its preshear
+    assert_non_null(out);
+    fputs(HEAD "10,7.6,3,3.1\n10,7.6,5,4.5\n10,7.6,12,9.4\n", out);
+    assert_int_equal(fclose(out), 0);
+    own = clod_study_of_file(path, &status);
+    assert_non_null(own);
+    assert_true(has_warning(&own->groups[0].locus, "it consolidates anew"));
+    clod_locus_study_destroy(&own);
+    out = fopen(path, "w");
+    assert_non_null(out);
+    fputs(HEAD "10,7.6,3,5\n10,7.6,5,4\n10,7.6,7,3\n", out);
+    assert_int_equal(fclose(out), 0);
     char lab[PATH_MAX]; // another table there is a measured one
     assert_int_equal(rename(path, temp_path(lab, state, "lab.csv")), 0);
     assert_null(clod_study_of_file(lab, &status));
@@ -144,6 +175,7 @@ int main(void)
         cmocka_unit_test(a_falling_line),
         cmocka_unit_test(seeds_and_files),
         cmocka_unit_test(a_long_list_of_lines_is_cut),
+        cmocka_unit_test(a_point_above_its_preshear),
         cmocka_unit_test_setup_teardown(a_file_is_refused_and_a_run_is_not, temp_folder_make,
                                         temp_folder_remove),
     };

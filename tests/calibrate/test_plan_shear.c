@@ -355,6 +355,14 @@ static void exchanged_columns(void **state)
                "9 kPa is outside the shear_stresses of test lab; give it there");
 }
 
+// A slip, 60.28 for 30.28 kPa: the line is that of the row.
+static void a_point_above_its_preshear(void **state)
+{
+    lab_write_file(state, "lab.csv", HEAD "\n54.8,40,11,12\n54.8,40,60.28,24\n54.8,40,43,33\n");
+    lab_refuse(state, RING, "locus: lab.csv, error: 0.5 kPa",
+               "lab.csv:3: shear at 60.280 kPa after a preshear at 54.800 kPa");
+}
+
 /** Three seeds of four specimens each: the mean of twelve points, as above, by 9 degrees of the preshears and 2 to 8 of the
  *  scatter between seeds, of which the fewest count. More than 90 % hold the truth. */
 static void strength_of_seeds(void **state)
@@ -371,6 +379,7 @@ int main(void)
         TEST(stated_errors_of_preshears_are_of_their_points),
         TEST(preshears_that_differ_by_their_errors_share_none),
         TEST(error_of_points_is_needed),
+        TEST(a_point_above_its_preshear),
         TEST(points_of_one_preshear_share_none_of_its_error),
         TEST(rows_of_one_stress_have_it_beside_their_scatter),
         TEST(scatter_between_seeds_has_it_already),

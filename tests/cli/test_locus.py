@@ -12,8 +12,8 @@ import clod
 
 HEAD = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
 GOOD = HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1650\n10,7.6,7.5,6.25,1650\n"
-# a slip of a bulk density, and a point above preshear
-WRONG = HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1560\n10,7.6,12,9.4,1650\n"
+# a slip of a bulk density, and a point outside 20 to 80 % of preshear
+WRONG = HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1560\n10,7.6,9,7.3,1650\n"
 
 
 class Locus(clod.Case):
@@ -84,6 +84,15 @@ class Locus(clod.Case):
         self.assertEqual(self.locus("-", input=long).stdout, told)
         self.assertEqual(self.locus("/dev/stdin", input=long).stdout, told)
 
+    def test_a_point_above_its_preshear_is_refused(self):
+        """A slip of a digit, 12 for 7.2 kPa, with its line, in every form; 1 % is forgiven."""
+        for form in ([], ["--json"], ["--csv"]):
+            said = self.locus("-", *form, input=HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1650\n10,7.6,12,9.4,1650\n", code=2).stderr
+            self.assertIn("standard input:4: shear at 12.000 kPa after a preshear at 10.000 kPa: above its preshear stress a solid "
+                          "consolidates anew", said)
+        told = self.locus("-", input=HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1650\n10,7.6,10.05,8.0,1650\n").stdout
+        self.assertIn("Shear at 10.050 kPa is above the preshear stress", told)
+
     def test_csv_says_its_warnings(self):
         self.write("points.csv", WRONG)
         done = self.locus("points.csv", "--csv")
@@ -92,7 +101,7 @@ class Locus(clod.Case):
         self.assertGreaterEqual(len(wanted), 2)
         self.assertEqual(done.stderr.splitlines(),
                          [f"clod locus: preshear at 10.000 kPa: {text}" for text in wanted])
-        for text in ("Bulk densities from 1560 to 1650 kg/m3", "is above the preshear stress"):
+        for text in ("Bulk densities from 1560 to 1650 kg/m3", "is outside 20 to 80 % of the preshear stress"):
             self.assertIn(text, done.stderr)
         self.write("points.csv", GOOD)
         self.assertEqual(self.locus("points.csv", "--csv").stderr, "")

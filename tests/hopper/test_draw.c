@@ -309,6 +309,37 @@ static void repeats_are_no_known_error_either(void **state)
     }
 }
 
+/** Two points of one set have one scale, so the ratio of their moves is that of two normal numbers: 10 % are beyond 6.314 and
+ *  -6.314 (Student's t of 1). Of a scale each, of one degree of freedom, 18 % are: (4/pi^2) (1 + ln 6.314)/6.314. */
+static void points_of_one_set_have_one_scale(void **state)
+{
+    (void)state;
+    enum { MANY = 4000 };
+    const double share[] = {0.10, 0.182};
+    for (size_t apart = 0; apart < 2; apart++) {
+        clod_curve_point points[] = {{.x = 1e3, .y = 1e6, .y_error = 1.0, .freedom = 1},
+                                     {.x = 2e3, .y = 1e6, .y_error = 1.0, .freedom = 1}};
+        points[1].set = apart;
+        clod_curve_point drawn_points[2] = {points[0], points[1]};
+        clod_solid measured = {0};
+        measured.wall = (clod_curve){
+            .way = CLOD_CURVE_EXTENDED, .points = points, .count = 2, .test = CLOD_CURVE_WALL};
+        clod_solid drawn = measured;
+        drawn.wall.points = drawn_points;
+        clod_draw draw;
+        size_t beyond = 0;
+        assert_true(clod_draw_init(&draw, &measured, 3));
+        for (uint64_t i = 0; i < MANY; i++) {
+            clod_draw_solid(&draw, i, &drawn);
+            const double ratio = (drawn_points[0].y - 1e6) / (drawn_points[1].y - 1e6);
+            beyond += fabs(ratio) > 6.314 ? 1 : 0;
+        }
+        clod_draw_fini(&draw);
+        check_close((double)beyond / MANY, share[apart],
+                    0.02); // 3 sqrt(0.1 x 0.9/4000) = 0.014
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -317,6 +348,7 @@ int main(void)
         cmocka_unit_test(scatter_taken_as_known_does_not),
         cmocka_unit_test(the_order_of_specimens_matters),
         cmocka_unit_test(repeats_are_no_known_error_either),
+        cmocka_unit_test(points_of_one_set_have_one_scale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -75,6 +75,27 @@ class Joint(hopper_case.Case):
         with open(self.path("design.html")) as file:
             self.assertIn(APART % 1, file.read())
 
+    def test_the_table_weighs_as_the_points_do(self):
+        """One laboratory in two ways, three loci whose errors grow with the stress: all points of the flow function alike, and the same
+        intervals to the ten digits of the table; also where it is of several specimens, and has no correlations."""
+        rows = [f"{p},{0.99 * (c + 0.75 * p) * f:.4f},{k * p},{(c + 0.75 * k * p) * g:.4f},{1250 + 20 * p}"
+                for p, c in ((2, 0.4), (5, 0.8), (12, 1.5))
+                for k, f, g in ((0.3, 1.01, 1.02), (0.45, 0.98, 0.97), (0.6, 1.0, 0.99), (0.75, 1.02, 1.01))]
+        self.write("points.csv", "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n" + "\n".join(rows) + "\n")
+        self.write("case.yaml", CASE % "shear_tests: [{points: points.csv}]")
+        points = self.found()
+        self.write("table.csv", clod.run("locus", "points.csv", "--csv", cwd=self.folder).stdout)
+        self.write("case.yaml", CASE % "file: table.csv")
+        table = self.found()
+        self.assertIs(points["flow_function_line"]["weighted"], False)
+        self.assertIs(table["flow_function_line"]["weighted"], False)
+        for path in (("cone", "outlet_m"), ("wedge", "outlet_m"), ("cone", "half_angle_deg"), ("rathole", "emptying_m")):
+            one, other = (found[path[0]][path[1]] for found in (points, table))
+            for end in ("value", "low", "high"):
+                self.assertAlmostEqual(one[end] / other[end], 1.0, delta=1e-6, msg=path)
+        self.write("table.csv", clod.run("locus", clod.source("cases/lab-to-outlet/shear.csv"), "--csv", cwd=self.folder).stdout)
+        self.assertIs(self.found()["flow_function_line"]["weighted"], False)
+
     def test_the_json_of_loci_has_the_correlations(self):
         table = self.points().splitlines()
         loci = json.loads(clod.run("locus", "points.csv", "--json", cwd=self.folder).stdout)["loci"]

@@ -60,6 +60,7 @@ static void specimens_on_one_line_have_no_error(void **state)
         check_close(curve.points[k].y_error, 0.0, 1e-9);
         assert_true(curve.points[k].x_error == 0.0);
     }
+    assert_true(clod_curve_has_errors(&curve)); // that it is nothing, both of them tell
     clod_curve_fini(&curve);
 }
 
@@ -81,6 +82,44 @@ static void specimens_share_their_scatter(void **state)
         check_relative(curve.points[k].spread[1], off / sqrt(2.0), 1e-9);
     }
     clod_curve_fini(&curve);
+}
+
+/** tau = 100 Pa + 0.4 sigma at 1, 2, 3, 4 kPa, off it by 10, -10, -10, 10 Pa, which no line takes up: 4 x 10^2 with two
+ *  degrees of freedom left. What is stated for a point stays. */
+static void points_without_errors_have_their_scatter(void **state)
+{
+    (void)state;
+    const clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 510.0},
+                                            {.sigma = 2e3, .tau = 890.0, .tau_error = 7.0},
+                                            {.sigma = 3e3, .tau = 1290.0},
+                                            {.sigma = 4e3, .tau = 1710.0}};
+    clod_curve curve = curve_of(points, 4);
+    assert_int_equal(curve.count, 4);
+    assert_true(clod_curve_has_errors(&curve));
+    for (size_t i = 0; i < 4; i++) {
+        const bool stated = i == 1;
+        check_relative(curve.points[i].y_error, stated ? 7.0 : 10.0 * sqrt(2.0), 1e-9);
+        assert_int_equal(curve.points[i].by_line, !stated);
+        assert_int_equal(curve.points[i].freedom, stated ? 0 : 2);
+        assert_int_equal(curve.points[i].set, stated ? 1 : 0); // one scale for all of them
+    }
+    clod_curve_fini(&curve);
+}
+
+/** Two stresses, or points that lie on a line to the last digit, tell nothing. */
+static void errors_that_nothing_tells_are_not_known(void **state)
+{
+    (void)state;
+    const clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 440.0},
+                                            {.sigma = 2e3, .tau = 830.0},
+                                            {.sigma = 4e3, .tau = 1610.0}};
+    for (size_t count = 2; count <= 3; count++) {
+        clod_curve curve = curve_of(points, count);
+        assert_int_equal(curve.count, count);
+        assert_false(clod_curve_has_errors(&curve));
+        assert_int_equal(warnings.count, 0); // nor are they called those of one specimen
+        clod_curve_fini(&curve);
+    }
 }
 
 static void what_the_evaluation_says_is_handed_on(void **state)
@@ -108,6 +147,8 @@ int main(void)
         cmocka_unit_test(repeats_at_one_stress_are_averaged),
         cmocka_unit_test(specimens_on_one_line_have_no_error),
         cmocka_unit_test(specimens_share_their_scatter),
+        cmocka_unit_test(points_without_errors_have_their_scatter),
+        cmocka_unit_test(errors_that_nothing_tells_are_not_known),
         cmocka_unit_test(what_the_evaluation_says_is_handed_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

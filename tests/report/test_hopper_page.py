@@ -112,8 +112,8 @@ class HopperPage(clod.Case):
         cone, wedge, hole = found["cone"], found["wedge"], found["rathole"]
         wanted = [(cone["half_angle_deg"]["low"], 1, 1, "deg"), (cone["outlet_m"]["high"], 1e3, 1, "mm"),
                   (cone["arching_margin"]["value"], 1, 2, ""), (wedge["half_angle_deg"]["low"], 1, 1, "deg"),
-                  (wedge["outlet_m"]["high"], 1e3, 1, "mm"), (hole["emptying_m"]["value"], 1e3, 1, "mm"),
-                  (hole["filling_m"]["value"], 1e3, 1, "mm")]
+                  (wedge["outlet_m"]["high"], 1e3, 1, "mm"), (hole["emptying_m"]["high"], 1e3, 1, "mm"),
+                  (hole["filling_m"]["high"], 1e3, 1, "mm")]
         self.assertGreater(cone["outlet_m"]["high"], cone["particle_outlet_m"])
         self.assertEqual(len(cards), len(wanted))
         for (title, text, unit, _), (number, scale, digits, of) in zip(cards, wanted):
@@ -204,6 +204,25 @@ class HopperPage(clod.Case):
         self.assertIn("Why: where sigma_1 is 8.000 kPa, phi_e 46.0 deg, and the solid slides at no half angle.", page.text)
         said = [row[1] for row in page.tables[-1] if row[0] == "said in place of the case's value"]
         self.assertEqual(said, ["wall_friction.angle=60 deg", "wedge.half_angle=auto", "interval.samples=100"])
+
+    def test_no_size_within_the_errors_is_no_size_to_build(self):
+        """A wall that is too rough in many samples, and a strength that may rise faster than the stress around a rathole."""
+        with open(self.path("case.yaml"), "w") as file:
+            file.write("flow_function: {file: flow.csv}\nwall_friction: {angle: 30 deg, error: 8 deg}\n")
+        with open(self.path("flow.csv"), "w") as file:
+            file.write("sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3]\n"
+                       "2,1.4,0.05,48,40,1250\n8,2.9,1.5,46,40,1350\n")
+        page, found = self.design("case.yaml")
+        cards = pages.cards(page.text)
+        for of, key, card, words in (("cone", "outlet_m", 1, "outlet to build: no outlet of mass flow is known within the errors. "
+                                      "Critical outlet: As measured"),
+                                     ("rathole", "emptying_m", 4, "outlet to build in funnel flow: no diameter is known within the errors. "
+                                      "As measured")):
+            self.assertEqual(found[of][key]["high"], "infinite")
+            self.assertEqual(cards[card][:3], (None, "not known", ""))
+            self.assertTrue(cards[card][3].startswith(words), cards[card])
+            self.assertTrue(cards[card][3].endswith("to infinite mm"), cards[card])
+        self.assertNotIn("infinite</b>", page.text)
 
     def test_warnings_that_differ_in_numbers_alone_are_one(self):
         """The worked case's shear tests at three stresses: two loci have points that lie on no line."""

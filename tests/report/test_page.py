@@ -93,6 +93,10 @@ class Report(pages.PageCase):
             file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n10,7.6,3,5\n10,7.6,5,4\n10,7.6,7,3\n")
         said = self.made("report", "ring", "--lab", "falling.csv", code=2).stderr  # atan(-0.5)
         self.assertIn("falling.csv:2, 3, 4: the yield locus at a preshear stress of 10.000 kPa has phi_lin = -26.57 deg", said)
+        with open(self.path("above.csv"), "w") as file:
+            file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n10,7.6,3,3.1\n10,7.6,5,4.5\n10,7.6,12,9\n")
+        said = self.made("report", "ring", "--lab", "above.csv", code=2).stderr
+        self.assertIn("above.csv:4: shear at 12.000 kPa after a preshear at 10.000 kPa", said)
 
     def test_a_laboratory_of_several_preshear_stresses(self):
         """Columns of one name are told apart by the preshear stress, as curves are."""

@@ -1,0 +1,15 @@
+#pragma once
+/**
+ * @file tables_note.h
+ * What is to be said of the tables of a case: gaps in columns, and columns that sections replace.
+ */
+
+#include "hopper/tables.h"
+
+/** Note a column of the flow function that is empty at the smallest sigma_1, where the design takes it from there. */
+void clod_tables_note_blanks(const clod_hopper_case *from, const clod_solid *solid,
+                             clod_tables_notes *notes);
+
+/** Note columns of the flow function in whose place sections of the case are taken. */
+void clod_tables_note_replaced(const clod_hopper_case *from, const clod_solid *solid,
+                               clod_tables_notes *notes);
