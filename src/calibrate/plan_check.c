@@ -21,7 +21,8 @@ static bool read_end(clod_loader *loader, const clod_plan_parameter *self, const
         return false;
     }
     if (rest[0] == ',') {
-        clod_check_fail(loader, path, "%s: write the decimal point as a point, not a comma", text);
+        clod_check_fail(loader, path, "%s: write the decimal point as a point, not a comma",
+                        text);
         return false;
     }
     snprintf(unit, CLOD_PLAN_UNIT, "%s", rest);

@@ -73,9 +73,10 @@ static void numbers_of_a_uniaxial_test(void **state)
 // Of a line that no other number of the test goes with: four points are a level and a slope.
 static void numbers_of_a_shear_test(void **state)
 {
-    lab_write_file(state, "lab.csv",
-                   "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n54.8,46,28,30.6\n"
-                   "54.8,46,32,33.4\n54.8,46,36,36.2\n54.8,46,40,39\n");
+    lab_write_file(
+        state, "lab.csv",
+        "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n54.8,46,28,30.6\n"
+        "54.8,46,32,33.4\n54.8,46,36,36.2\n54.8,46,40,39\n");
 #define POINTS "{test: lab, locus: lab.csv, error: 1 kPa}"
 #define RHO NUMBER("rho_b", "1700 kg/m3", "30 kg/m3") "}"
     check(state, RING, SOLID, POINTS, "are 2 independent numbers at most");
