@@ -377,6 +377,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
         !read_wall(&from->wall, &solid->wall, notes, status)) {
         return false;
     }
+    clod_tables_note_light(from, solid, notes);
     solid->strength.way = from->strength.curve == CLOD_HOPPER_STRENGTH_LINE
                               ? CLOD_CURVE_LINE
                               : CLOD_CURVE_EXTENDED;

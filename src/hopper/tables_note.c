@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "analysis/bulk_density.h"
+
 /** A column that is empty at the smallest stress: the value of the next one stands in for it. */
 static void warn_blank(const clod_solid *solid, const clod_curve *curve, const char *what,
                        double scale, const char *unit, clod_tables_notes *notes)
@@ -59,4 +61,20 @@ void clod_tables_note_replaced(const clod_hopper_case *from, const clod_solid *s
                   "static_friction replaces the column phi_t", notes);
     warn_replaced(from, &from->rho, &solid->rho, "bulk_density replaces the column rho_b",
                   notes);
+}
+
+void clod_tables_note_light(const clod_hopper_case *from, const clod_solid *solid,
+                            clod_tables_notes *notes)
+{
+    if (!from->rho.present && from->strength.test_count > 0) {
+        return; // the evaluation of the tests has said it
+    }
+    double least = INFINITY;
+    for (size_t i = 0; i < solid->rho.count; i++) {
+        least = fmin(least, solid->rho.points[i].y);
+    }
+    char text[CLOD_LOCUS_WARNING_TEXT];
+    if (clod_bulk_density_warn(least, text)) {
+        clod_warning_list_add(notes->warnings, "Bulk density: %s", text);
+    }
 }

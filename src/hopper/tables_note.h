@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file tables_note.h
- * What is to be said of the tables of a case: gaps in columns, and columns that sections replace.
+ * What is to be said of the tables of a case: gaps in columns, columns that sections replace, and densities of another unit.
  */
 
 #include "hopper/tables.h"
@@ -13,3 +13,7 @@ void clod_tables_note_blanks(const clod_hopper_case *from, const clod_solid *sol
 /** Note columns of the flow function in whose place sections of the case are taken. */
 void clod_tables_note_replaced(const clod_hopper_case *from, const clod_solid *solid,
                                clod_tables_notes *notes);
+
+/** Note a bulk density so low that it may be one in lb/ft3. */
+void clod_tables_note_light(const clod_hopper_case *from, const clod_solid *solid,
+                            clod_tables_notes *notes);

@@ -233,6 +233,11 @@ class Measured(hopper_case.Case):
             self.assertAlmostEqual(of["rho_b_kg_m3"]["value"], 1000 + 0.125 * of["sigma_1_Pa"]["value"], delta=1e-6)
             self.assertAlmostEqual(of["outlet_m"]["value"] * of["rho_b_kg_m3"]["value"], 1250 * held[shape]["outlet_m"]["value"],
                                    delta=1e-4 * 1250 * held[shape]["outlet_m"]["value"])
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n2,78\n4,81.2\n8,84.3\n")
+        said, = [text for text in self.found()["warnings"] if "lb/ft3" in text]
+        self.assertIn("rho_b is 78.0 kg/m3", said)
+        self.assertIn("78.0 lb/ft3 are 1249 kg/m3", said)  # of 16.0185 kg/m3
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n0,1000\n" + rows)
         done = clod.run("locus", "rho.csv", cwd=self.folder)
         self.assertEqual(done.returncode, 2)
         self.assertIn("rho.csv: a row has sigma_1 = 0, that of a loose density. Only clod hopper takes it", done.stderr)
