@@ -76,7 +76,7 @@ class Unknown(clod.Case):
             self.assertRegex(table, r"rho_b +1400\.0 ± +-[ \n]")
 
     def test_clod_reads_what_it_wrote(self):
-        """clod locus evaluates it as before, and clod hopper designs by it as by the first table."""
+        """clod locus evaluates it as before, and clod hopper designs by it as by the first table, with the wall's scatter as its error."""
         for name, text in (("wall", WALL), ("density", DENSITY)):
             self.write(f"{name}.csv", text % ("", "", "", ""))
             self.told("locus", f"{name}.csv", "--csv", "-o", f"{name}2.csv")
@@ -88,7 +88,8 @@ class Unknown(clod.Case):
                        f"bulk_density: {{file: density{number}.csv}}\n")
             designs.append(json.loads(self.told("hopper", "hopper.yaml", "--json", "--set", "interval.samples=100")))
         self.assertEqual(*designs)
-        self.assertEqual({point["y_error"] for point in designs[0]["measured"]["wall"]}, {None})
+        for point in designs[0]["measured"]["wall"]:  # scatter about 0.39615 sigma_w + 0.05641 kPa: sqrt(0.006282/(3 - 2))
+            self.assertAlmostEqual(point["y_error"], 79.26, delta=0.01)
         self.assertEqual({point["y_error"] is None for point in designs[0]["measured"]["flow_function"]}, {False})
 
     def test_clod_calibrate_reads_what_it_wrote(self):

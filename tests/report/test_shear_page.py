@@ -81,7 +81,7 @@ class Shear(pages.PageCase):
 
     def test_density_at_another_preshear_stress(self):
         """At 6 kPa the run has no density to be off."""
-        page, _ = self.lab_page(LAB.replace("\n12,7,", "\n6,4,"))
+        page, _ = self.lab_page(LAB.split("\n")[0] + "\n6,4,2,2.1,1410\n6,4,3,2.7,1410\n6,4,4,3.2,1410\n")
         self.assertEqual(self.densities(page), [["1206.4", "1410.0"], ["1380.7", "1410.0"]])
 
     def test_density_of_a_laboratory_beside_runs(self):
