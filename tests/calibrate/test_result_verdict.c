@@ -9,6 +9,11 @@
 #include "plan_made.h"
 #include "support/check.h"
 
+#define CASE(path) CLOD_SOURCE_DIR "/" path
+#define UNIAXIAL "cases/copper-ore-uniaxial/case.yaml"
+#define RING "cases/calibrate-kadh/ring.yaml"
+#define WALL "tests/cli/wall_friction.yaml"
+
 /** Whether a surrogate that is unsure by this at the card tells a target with an error of 3 and a discrepancy of 4: 5. */
 static bool tells(double unsure, double q2, double scatter)
 {
@@ -110,15 +115,13 @@ static void what_is_not_there_has_no_verdict(void **state)
 }
 
 /** Nine points of u - 0.5, measured at 0 with an error of 0.1: about u = 0.5, and a laboratory would measure -0.16 to 0.16
- *  and more. @param kind  number of a uniaxial test, or NULL: of no test */
-static void predict(const char *kind, double *low, double *high)
+ *  and more. @param kind  number of a test of this case, or NULL: of no test */
+static void predict(const char *path, const char *kind, double *low, double *high)
 {
     plan_made made;
     plan_make(&made, 1, 1);
     clod_status status = {CLOD_OK, ""};
-    clod_plan_test test = {.middle = clod_case_load(CLOD_SOURCE_DIR
-                                                    "/cases/copper-ore-uniaxial/case.yaml",
-                                                    NULL, 0, &status)};
+    clod_plan_test test = {.middle = clod_case_load(path, NULL, 0, &status)};
     assert_non_null(test.middle);
     made.plan.tests = &test;
     made.plan.test_count = kind != NULL ? 1 : 0;
@@ -137,7 +140,7 @@ static void predict(const char *kind, double *low, double *high)
     *low = self->targets[0].low;
     *high = self->targets[0].high;
     assert_true(self->targets[0].unsure < 0.05);
-    assert_true(kind == NULL ||
+    assert_true(*low < 0.0 ||
                 (self->targets[0].mean >= 0.0 && self->targets[0].at_card >= 0.0));
     clod_posterior_destroy(&self);
     clod_case_destroy(&test.middle);
@@ -147,10 +150,28 @@ static void amounts_are_predicted_from_0_on(void **state)
 {
     (void)state;
     double low, high;
-    predict(NULL, &low, &high);
+    predict(CASE(UNIAXIAL), NULL, &low, &high);
     assert_true(low < -0.16 && high > 0.16);
-    predict("sigma_c", &low, &high);
+    predict(CASE(UNIAXIAL), "sigma_c", &low, &high);
     assert_true(low == 0.0 && high > 0.16);
+    predict(CASE(RING), "sigma_c", &low, &high);
+    assert_true(low == 0.0 && high > 0.16);
+}
+
+// sigma_2 of steady flow that reaches into tension; c and tau of a yield locus and tau_ad of a wall yield locus are on fitted
+// lines.
+static void stresses_of_lines_and_of_tension_are_predicted_below_0(void **state)
+{
+    (void)state;
+    static const char *const NUMBERS[][2] = {{CASE(RING), "sigma_2"},
+                                             {CASE(RING), "c"},
+                                             {CASE(RING), "tau"},
+                                             {CASE(WALL), "tau_ad"}};
+    for (size_t k = 0; k < sizeof NUMBERS / sizeof NUMBERS[0]; k++) {
+        double low, high;
+        predict(NUMBERS[k][0], NUMBERS[k][1], &low, &high);
+        assert_true(low < -0.16 && high > 0.16);
+    }
 }
 
 int main(void)
@@ -160,6 +181,7 @@ int main(void)
         cmocka_unit_test(p_tells_where_surrogates_do),
         cmocka_unit_test(what_is_not_there_has_no_verdict),
         cmocka_unit_test(amounts_are_predicted_from_0_on),
+        cmocka_unit_test(stresses_of_lines_and_of_tension_are_predicted_below_0),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
