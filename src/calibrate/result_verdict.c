@@ -11,6 +11,8 @@
 #include "config/grain_solid.h"
 
 #define NAMED 260 ///< bytes of the targets that a warning names
+#define MOST_ERRORS                                                                            \
+    3.0 ///< of the laboratory that a surrogate which tells is unsure by, however wide the ranges are
 
 const char *const CLOD_RESULT_VERDICT_NAMES[] = {[CLOD_RESULT_MET] = CLOD_SOLID_MET,
                                                  [CLOD_RESULT_MISSES] = CLOD_SOLID_MISSED,
@@ -20,8 +22,10 @@ bool clod_result_tells(const clod_plan_target *target, const clod_posterior_targ
 {
     const double variance = self->unsure * self->unsure;
     const double scatter = self->check.scatter;
-    return variance <= clod_posterior_variance(target) ||
+    const double measured = clod_posterior_variance(target);
+    return variance <= measured ||
            (self->checked && self->check.q2 >= CLOD_POSTERIOR_LEAST_Q2 &&
+            variance <= MOST_ERRORS * MOST_ERRORS * measured &&
             variance <= (1.0 - CLOD_POSTERIOR_LEAST_Q2) * scatter * scatter);
 }
 

@@ -39,6 +39,19 @@ static void surrogate_tells_to_within_the_laboratory_or_half_the_runs_variance(v
     assert_false(clod_result_tells(&exact, &unchecked));
 }
 
+// However wide the ranges are: runs that scatter by 200 leave 141 of half their variance, and three errors are 15.
+static void surrogate_tells_no_target_by_more_than_three_errors(void **state)
+{
+    (void)state;
+    assert_true(tells(14.9, 0.9, 200.0));
+    assert_false(tells(15.1, 0.9, 200.0));
+    // 1.0 +- 0.2 kPa, of a surrogate that is unsure by 4 kPa
+    const clod_plan_target strength = {.error = 200.0};
+    const clod_posterior_target wide = {
+        .unsure = 4000.0, .checked = true, .check = {.q2 = 0.6, .scatter = 9000.0}};
+    assert_false(clod_result_tells(&strength, &wide));
+}
+
 static clod_surrogate *something(void)
 {
     static char any;
@@ -178,6 +191,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(surrogate_tells_to_within_the_laboratory_or_half_the_runs_variance),
+        cmocka_unit_test(surrogate_tells_no_target_by_more_than_three_errors),
         cmocka_unit_test(p_tells_where_surrogates_do),
         cmocka_unit_test(what_is_not_there_has_no_verdict),
         cmocka_unit_test(amounts_are_predicted_from_0_on),
