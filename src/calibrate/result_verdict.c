@@ -10,9 +10,8 @@
 #include "calibrate/result.h"
 #include "config/grain_solid.h"
 
-#define NAMED 260 ///< bytes of the targets that a warning names
-#define MOST_ERRORS                                                                            \
-    3.0 ///< of the laboratory that a surrogate which tells is unsure by, however wide the ranges are
+#define NAMED 230       ///< bytes of the targets that a warning names, whose end must have room
+#define MOST_ERRORS 3.0 ///< of the laboratory, however wide the ranges are
 
 const char *const CLOD_RESULT_VERDICT_NAMES[] = {[CLOD_RESULT_MET] = CLOD_SOLID_MET,
                                                  [CLOD_RESULT_MISSES] = CLOD_SOLID_MISSED,
@@ -79,8 +78,8 @@ void clod_result_verdict_warn(const clod_result *self, clod_warning_list *to)
         clod_warning_list_add(
             to,
             "Whether the card meets its targets is not told (targets: untold): p cannot tell it where surrogates are less sure "
-            "than the laboratory, and at the card's values they give %s. Run the tests with the card (report.txt has the "
-            "commands), or give more points, packings or narrower ranges.",
+            "than the laboratory, and at the card's values they give %s. Run the tests with the card (report.txt says "
+            "how), or give more points, packings or narrower ranges.",
             names);
     }
     if (clod_result_verdict_of(self, true, &verdict) && verdict == CLOD_RESULT_UNTOLD) {

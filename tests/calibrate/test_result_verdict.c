@@ -112,6 +112,33 @@ static void p_tells_where_surrogates_do(void **state)
     assert_string_equal(verdict(true, 0.5, 1.1, 6.0, used), "missed");
 }
 
+// Five targets whose names have the room that is there, or less: what is said behind them is whole.
+static void many_long_names_leave_room_for_what_to_do(void **state)
+{
+    (void)state;
+    static clod_warning_list list;
+    for (int length = 20; length < 100; length++) {
+        plan_made made;
+        plan_make(&made, 1, 5);
+        clod_posterior_target targets[5];
+        for (int t = 0; t < 5; t++) {
+            snprintf(made.targets[t].name, sizeof made.targets[t].name, "%0*d", length, t);
+            made.targets[t].error = 1.0;
+            targets[t] = (clod_posterior_target){.surrogate = something(), .unsure = 2.0};
+        }
+        clod_posterior posterior = {.target_count = 5, .targets = targets, .p_value = 0.5};
+        const clod_study study = {.posterior = &posterior};
+        const clod_result self = {.plan = &made.plan, .study = &study};
+        list.count = 0;
+        clod_result_verdict_warn(&self, &list);
+        assert_int_equal(list.count, 1);
+        const char *end = " more. Run the tests with the card (report.txt says how), or give "
+                          "more points, packings or narrower ranges.";
+        assert_true(strlen(list.text[0]) > strlen(end));
+        assert_string_equal(list.text[0] + strlen(list.text[0]) - strlen(end), end);
+    }
+}
+
 static void what_is_not_there_has_no_verdict(void **state)
 {
     (void)state;
@@ -193,6 +220,7 @@ int main(void)
         cmocka_unit_test(surrogate_tells_to_within_the_laboratory_or_half_the_runs_variance),
         cmocka_unit_test(surrogate_tells_no_target_by_more_than_three_errors),
         cmocka_unit_test(p_tells_where_surrogates_do),
+        cmocka_unit_test(many_long_names_leave_room_for_what_to_do),
         cmocka_unit_test(what_is_not_there_has_no_verdict),
         cmocka_unit_test(amounts_are_predicted_from_0_on),
         cmocka_unit_test(stresses_of_lines_and_of_tension_are_predicted_below_0),
