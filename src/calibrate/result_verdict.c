@@ -10,7 +10,7 @@
 #include "calibrate/result.h"
 #include "config/grain_solid.h"
 
-#define NAMED 230       ///< bytes of the targets that a warning names, whose end must have room
+#define NAMED 250       ///< bytes of the targets that a warning names, whose end must have room
 #define MOST_ERRORS 3.0 ///< of the laboratory, however wide the ranges are
 
 const char *const CLOD_RESULT_VERDICT_NAMES[] = {[CLOD_RESULT_MET] = CLOD_SOLID_MET,
