@@ -76,14 +76,19 @@ static void tell_all(const clod_warning_list *list, void (*say)(void *, const ch
     }
 }
 
-/** Why the first point does not define a number. */
+/** A number that the first point does not define will lack in others too: told before they are run, with the reason. */
 static void tell_lacks(const clod_runs *runs)
 {
     for (size_t t = 0; t < runs->plan->target_count; t++) {
-        char reason[CLOD_RUNS_REASON], text[CLOD_PLAN_NAME + CLOD_RUNS_REASON + 32];
+        char reason[CLOD_RUNS_REASON], text[CLOD_PLAN_NAME + CLOD_RUNS_REASON + 192];
         if (runs->options.tell != NULL && clod_runs_lacks(runs, t, reason)) {
-            snprintf(text, sizeof text, "%s is not defined in %s", runs->plan->targets[t].name,
-                     reason);
+            const clod_plan_target *of = &runs->plan->targets[t];
+            snprintf(
+                text, sizeof text,
+                "%s is not defined in the middle of all ranges, in %s; if so few points have it that it gets no "
+                "surrogate, %s",
+                of->name, reason,
+                of->held_back ? "it is not predicted" : "the calibration comes to no result");
             runs->options.tell(runs->options.context, text);
         }
     }

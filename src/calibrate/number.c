@@ -30,7 +30,7 @@ bool clod_number_is_amount(const clod_plan *plan, const clod_plan_target *target
         return false;
     }
     return clod_number_is_path(kind) ? clod_number_path_is_amount(kind, target->number)
-                                     : strcmp(kind->unit, "rad") != 0;
+                                     : kind->amount;
 }
 
 /** The test that has a number, where the one that is asked for has not; NULL: none has. */

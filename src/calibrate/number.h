@@ -19,6 +19,7 @@ typedef struct clod_number {
     const char *unit; ///< SI
     clod_plan_measure measure;
     double least, most; ///< SI: what a measured value may be
+    bool amount;        ///< no run has it below 0; of a path its name tells
     bool at_stress;     ///< it is that of a normal stress, which the plan must give
     const char *field;  ///< its name in the summary; NULL where it is not read there
     /** Its value in a summary, SI, NAN where the test defines none; NULL where it is not read there or is a
@@ -30,13 +31,16 @@ typedef struct clod_number {
 #define CLOD_NUMBER_DEGREE 0.017453292519943295
 #define CLOD_NUMBER_ANGLE                                                                      \
     "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, 1}, CLOD_ANGLES_LEAST *CLOD_NUMBER_DEGREE,        \
-        85.0 * CLOD_NUMBER_DEGREE // near the origin cohesion or adhesion make it steep
+        85.0 * CLOD_NUMBER_DEGREE, false // near the origin cohesion or adhesion make it steep
 #define CLOD_NUMBER_SLOPE                                                                      \
     "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, 1}, CLOD_ANGLES_LEAST *CLOD_NUMBER_DEGREE,        \
-        CLOD_ANGLES_MOST *CLOD_NUMBER_DEGREE // as clod locus refuses others of a laboratory
-#define CLOD_NUMBER_STRESS "Pa", {"kPa", 1e-3, 2}, 0.0, 1e8
-#define CLOD_NUMBER_DENSITY "kg/m3", {"kg/m3", 1.0, 0}, 10.0, 15000.0
-#define CLOD_NUMBER_RATIO "1", {"", 1.0, 2}, 0.0, 1000.0
+        CLOD_ANGLES_MOST *CLOD_NUMBER_DEGREE,                                                  \
+        false // as clod locus refuses others of a laboratory
+#define CLOD_NUMBER_STRESS "Pa", {"kPa", 1e-3, 2}, 0.0, 1e8, true
+/// On a fitted line, which the points of a run may draw below 0.
+#define CLOD_NUMBER_LINE "Pa", {"kPa", 1e-3, 2}, 0.0, 1e8, false
+#define CLOD_NUMBER_DENSITY "kg/m3", {"kg/m3", 1.0, 0}, 10.0, 15000.0, true
+#define CLOD_NUMBER_RATIO "1", {"", 1.0, 2}, 0.0, 1000.0, true
 
 // Numbers of each kind of test: number_shear.c, number_summary.c, number_path.c.
 #define CLOD_NUMBERS_SHEAR_COUNT 12
@@ -60,8 +64,9 @@ bool clod_number_path_is_repose(const clod_number *self);
  *  negative (number_path.c).   Test  tests/calibrate/test_number_path.c */
 bool clod_number_path_is_amount(const clod_number *kind, const char *path);
 
-/** Whether a target is a stress, density, ratio or amount of a path, never below 0 in any run; an angle is none.
- *  Threads  pure.   Test  tests/calibrate/test_number_path.c */
+/** Whether a target is a density, ratio, amount of a path or stress that is never below 0 in any run; no angle is one, nor is
+ *  sigma_2 (tension), or what is read on a fitted line (c, tau, tau_ad).
+ *  Threads  pure.   Test  tests/calibrate/test_number_path.c, test_result_verdict.c */
 bool clod_number_is_amount(const clod_plan *plan, const clod_plan_target *target);
 
 /** The kind of a number of a test; NULL: there is none. Of a free run every path of its summary is one. */

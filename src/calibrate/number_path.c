@@ -15,7 +15,8 @@
 #define MOST_NAMES 256 ///< that a message tells, as many as find room in it
 
 #define ROW(ending, si, shown, factor)                                                         \
-    {ending, si, {shown, factor, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, NULL, NULL},
+    {ending, si,  {shown, factor, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, false,       \
+     NULL,   NULL},
 
 // By the end of the name; the last fits any.
 const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT] = {CLOD_UNIT_ENDINGS(ROW)
@@ -25,7 +26,7 @@ const clod_number CLOD_NUMBERS_PATH[CLOD_NUMBERS_PATH_COUNT] = {CLOD_UNIT_ENDING
 #define ANGLE(least, most)                                                                     \
     {                                                                                          \
         "_deg", "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, CLOD_PLAN_FIGURES},                   \
-            (least)*CLOD_NUMBER_DEGREE, (most)*CLOD_NUMBER_DEGREE, false, NULL, NULL           \
+            (least)*CLOD_NUMBER_DEGREE, (most)*CLOD_NUMBER_DEGREE, false, false, NULL, NULL    \
     }
 
 static const clod_number REPOSE = ANGLE(CLOD_REPOSE_ANGLES_LEAST, CLOD_REPOSE_ANGLES_MOST);

@@ -17,11 +17,11 @@ const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT] = {
     {"phi_lin", CLOD_NUMBER_SLOPE, false, NULL, NULL},
     {"phi_e", CLOD_NUMBER_ANGLE, false, NULL, NULL},
     {"phi_sf", CLOD_NUMBER_SLOPE, false, NULL, NULL},
-    {"c", CLOD_NUMBER_STRESS, false, NULL, NULL},
+    {"c", CLOD_NUMBER_LINE, false, NULL, NULL},
     {"tau_p", CLOD_NUMBER_STRESS, false, NULL, NULL},
-    {"tau", CLOD_NUMBER_STRESS, true, NULL, NULL}, // on the line, at its normal stress
+    {"tau", CLOD_NUMBER_LINE, true, NULL, NULL}, // on the line, at its normal stress
     {"sigma_1", CLOD_NUMBER_STRESS, false, NULL, NULL},
-    {"sigma_2", "Pa", {"kPa", 1e-3, 2}, -1e8, 1e8, false, NULL, NULL}, // tension below 0
+    {"sigma_2", "Pa", {"kPa", 1e-3, 2}, -1e8, 1e8, false, false, NULL, NULL}, // tension below 0
     {"sigma_c", CLOD_NUMBER_STRESS, false, NULL, NULL},
     {"ffc", CLOD_NUMBER_RATIO, false, NULL, NULL},
     {"rho_b", CLOD_NUMBER_DENSITY, false, NULL, NULL},

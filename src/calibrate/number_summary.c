@@ -99,7 +99,7 @@ static double of_parts(const json_t *summary, const clod_number *self,
 const clod_number CLOD_NUMBERS_WALL[CLOD_NUMBERS_WALL_COUNT] = {
     {"phi_x", CLOD_NUMBER_ANGLE, true, "phi_x_deg", of_point_angle},
     {"phi_w", CLOD_NUMBER_SLOPE, false, "phi_w_deg", of_line_angle},
-    {"tau_ad", CLOD_NUMBER_STRESS, false, "tau_ad_Pa", of_line_stress},
+    {"tau_ad", CLOD_NUMBER_LINE, false, "tau_ad_Pa", of_line_stress},
     {"rho_b", CLOD_NUMBER_DENSITY, true, "bulk_density_kg_m3", of_parts},
 };
 

@@ -230,15 +230,24 @@ static void list_wrong(const numbers *self, numbers *without, numbers *room, cha
              found == self->count ? "" : list);
 }
 
-/** What to do about c and phi_lin, which belong to one line, where both are there: a curved locus has many lines. */
-static const char *of_line(const numbers *self)
+/** What to do about phi_e beside steady flow in tension, or about c and phi_lin, which belong to one line, where both are there: a
+ *  curved locus has many lines. */
+static const char *advise(const numbers *self)
 {
-    size_t found = 0;
+    size_t line = 0;
+    bool angled = false, tension = false;
     for (size_t k = 0; k < self->count; k++) {
         const char *number = self->of[k]->number;
-        found += strcmp(number, "c") == 0 || strcmp(number, "phi_lin") == 0 ? 1 : 0;
+        const double value = self->of[k]->value;
+        line += strcmp(number, "c") == 0 || strcmp(number, "phi_lin") == 0 ? 1 : 0;
+        angled = angled || strcmp(number, "phi_e") == 0;
+        tension = tension || (strcmp(number, "ffc") == 0 && value < 1.0) ||
+                  (strcmp(number, "sigma_2") == 0 && value < 0.0);
     }
-    return found > 1
+    if (angled && tension) {
+        return " Steady flow in tension (ffc below 1, sigma_2 below 0) has no phi_e: leave one of them out.";
+    }
+    return line > 1
                ? " c and phi_lin of a curved locus? Then leave one out, hold it back, or state a discrepancy."
                : "";
 }
@@ -256,7 +265,7 @@ static void refuse(clod_loader *loader, numbers *self, const distance *of, numbe
         "possible solid is %.3g, and at most %.3g is taken for chance. %s. Has one another unit, is one of another "
         "consolidation, or are two interchanged?%s",
         self->test, 1e-3 * self->preshear, list, of->chi_square,
-        clod_nearest_limit(of->freedom), wrong, of_line(self));
+        clod_nearest_limit(of->freedom), wrong, advise(self));
 }
 
 static void warn(clod_plan *self, numbers *of)
@@ -268,7 +277,7 @@ static void warn(clod_plan *self, numbers *of)
         &self->warnings,
         "test %s: no solid has all of this at the preshear stress of the case, %.4g kPa: %s. So what is held back will "
         "likely be missed.%s",
-        of->test, 1e-3 * of->preshear, list, of_line(of));
+        of->test, 1e-3 * of->preshear, list, advise(of));
 }
 
 /** A number that no solid has, whatever the others are; also one that is held back. */

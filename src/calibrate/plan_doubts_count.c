@@ -25,9 +25,9 @@ static const family LINE = {{"c", "phi_lin", "tau"}, false, 2};
 static const family CIRCLES = {
     {"tau_p", "phi_sf", "phi_e", "sigma_1", "sigma_2", "sigma_c", "ffc"}, false, 3};
 static const family WALL_LINE = {{"phi_w", "tau_ad", "phi_x"}, false, 2};
-// Over several stresses what these have in common: a level and a slope.
-static const family STRENGTH = {{"sigma_c", "ffc"}, true, 2};
-static const family DENSITY = {{"rho_b", "rho_inside"}, true, 2};
+// One at each stress: over several stresses they lie on no line by definition.
+static const family STRENGTH = {{"sigma_c", "ffc"}, true, SIZE_MAX};
+static const family DENSITY = {{"rho_b", "rho_inside"}, true, SIZE_MAX};
 
 static const family ANY = {{NULL}, false, SIZE_MAX};
 
@@ -90,7 +90,7 @@ void clod_plan_warn_count(clod_plan *self)
         clod_warning_list_add(
             &self->warnings,
             "parameters: %zu are free, and the used targets are %zu independent number%s at most (points of one line "
-            "count as two): whatever the budget, at least %zu combination%s of the parameters will stay unknown. Free fewer of "
+            "count as two): probably %zu combination%s of the parameters will stay unknown, whatever the budget. Free fewer of "
             "them, or give targets of another kind, stress or test",
             self->parameter_count, count, clod_plural((double)count),
             self->parameter_count - count,

@@ -233,7 +233,7 @@ static void take_back(clod_posterior *self)
     }
 }
 
-/** No strength, density or mass is below 0, as surrogates may be. */
+/** No strength, density or mass is below 0, as surrogates may be; sigma_2 of a solid that does not flow is. */
 static void cut_amounts(const clod_plan *plan, clod_posterior *self)
 {
     for (size_t t = 0; t < self->target_count; t++) {

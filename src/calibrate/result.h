@@ -42,8 +42,8 @@ typedef enum clod_result_verdict {
 extern const char *const CLOD_RESULT_VERDICT_NAMES[];
 
 /** Whether the surrogate of a target is sure enough at the card's values to tell whether that is met: to within the
- *  laboratory's error and discrepancy; or it predicts points that are left out, and explains as much of the runs' variance
- *  there (both: Q2 of 0.5).   Source  docs/theory/calibration.md, "Posterior".   Test  tests/calibrate/test_result_verdict.c */
+ *  laboratory's error and discrepancy; or to within three of these, if it predicts points that are left out and explains as
+ *  much of the runs' variance there (both: Q2 of 0.5).   Source  docs/theory/calibration.md, "Posterior".   Test  tests/calibrate/test_result_verdict.c */
 bool clod_result_tells(const clod_plan_target *target, const clod_posterior_target *self);
 
 /** Of the used targets: missed where p is below 0.05; of those held back: where one lies outside its interval. Else untold

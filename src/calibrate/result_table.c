@@ -150,7 +150,7 @@ static void put_noise_ends(FILE *out, const clod_plan_target *of,
     fprintf(out, " %18s", both);
 }
 
-/** Commands that run the tests with the card. */
+/** Commands that run the tests with the card. A file that a case includes itself would be dropped by --set include. */
 static void put_commands(FILE *out, const clod_plan *plan)
 {
     fputs(
@@ -159,11 +159,22 @@ static void put_commands(FILE *out, const clod_plan *plan)
         out);
     for (size_t t = 0; t < plan->test_count; t++) {
         const clod_plan_test *test = &plan->tests[t];
-        fprintf(out, "  clod run %s", test->path);
-        for (size_t k = 0; k < test->set_count; k++) {
-            fprintf(out, " --set \"%s=%s\"", test->set[k].key, test->set[k].value);
+        const char *own = test->middle->include;
+        if (own != NULL) {
+            fprintf(
+                out,
+                "  (test %s includes %s, and one file only can be included: copy the keys of that and of card.yaml\n"
+                "  into FOLDER/card-%s.yaml)\n",
+                test->name, own, test->name);
         }
-        fprintf(out, " --set include=FOLDER/card.yaml -o FOLDER/card-%s\n", test->name);
+        fprintf(out, "  clod run \"%s\"", test->path);
+        for (size_t k = 0; k < test->set_count; k++) {
+            if (strcmp(test->set[k].key, "include") != 0) {
+                fprintf(out, " --set \"%s=%s\"", test->set[k].key, test->set[k].value);
+            }
+        }
+        fprintf(out, " --set \"include=FOLDER/card%s%s.yaml\" -o \"FOLDER/card-%s\"\n",
+                own != NULL ? "-" : "", own != NULL ? test->name : "", test->name);
     }
 }
 

@@ -10,7 +10,8 @@
 #include "calibrate/result.h"
 #include "config/grain_solid.h"
 
-#define NAMED 260 ///< bytes of the targets that a warning names
+#define NAMED 250       ///< bytes of the targets that a warning names, whose end must have room
+#define MOST_ERRORS 3.0 ///< of the laboratory, however wide the ranges are
 
 const char *const CLOD_RESULT_VERDICT_NAMES[] = {[CLOD_RESULT_MET] = CLOD_SOLID_MET,
                                                  [CLOD_RESULT_MISSES] = CLOD_SOLID_MISSED,
@@ -20,8 +21,10 @@ bool clod_result_tells(const clod_plan_target *target, const clod_posterior_targ
 {
     const double variance = self->unsure * self->unsure;
     const double scatter = self->check.scatter;
-    return variance <= clod_posterior_variance(target) ||
+    const double measured = clod_posterior_variance(target);
+    return variance <= measured ||
            (self->checked && self->check.q2 >= CLOD_POSTERIOR_LEAST_Q2 &&
+            variance <= MOST_ERRORS * MOST_ERRORS * measured &&
             variance <= (1.0 - CLOD_POSTERIOR_LEAST_Q2) * scatter * scatter);
 }
 
@@ -75,8 +78,8 @@ void clod_result_verdict_warn(const clod_result *self, clod_warning_list *to)
         clod_warning_list_add(
             to,
             "Whether the card meets its targets is not told (targets: untold): p cannot tell it where surrogates are less sure "
-            "than the laboratory, and at the card's values they give %s. Run the tests with the card (report.txt has the "
-            "commands), or give more points, packings or narrower ranges.",
+            "than the laboratory, and at the card's values they give %s. Run the tests with the card (report.txt says "
+            "how), or give more points, packings or narrower ranges.",
             names);
     }
     if (clod_result_verdict_of(self, true, &verdict) && verdict == CLOD_RESULT_UNTOLD) {

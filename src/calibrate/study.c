@@ -114,28 +114,6 @@ static bool renew_posterior(const clod_plan *plan, const clod_study_source *sour
     return self->posterior != NULL;
 }
 
-/** A number that the first point does not have will lack in others too: told before they are run. */
-static void tell_undefined(const clod_plan *plan, const clod_study_source *source,
-                           const double *results)
-{
-    for (size_t t = 0; t < plan->target_count; t++) {
-        size_t defined = 0;
-        for (size_t s = 0; s < (size_t)plan->seeds; s++) {
-            defined += isfinite(results[s * plan->target_count + t]) ? 1 : 0;
-        }
-        if (defined == 0) {
-            char text[CLOD_PLAN_NAME + 160];
-            snprintf(text, sizeof text,
-                     "%s is not defined in the middle of all ranges; if so few points have it "
-                     "that it gets no surrogate, %s",
-                     plan->targets[t].name,
-                     plan->targets[t].held_back ? "it is not predicted"
-                                                : "the calibration comes to no result");
-            tell(source, text);
-        }
-    }
-}
-
 /** Further points that stand for the posterior. */
 static bool refine(const clod_plan *plan, const clod_study_source *source, size_t points,
                    clod_study *self, clod_status *status)
@@ -173,7 +151,6 @@ bool clod_study_run(const clod_plan *plan, const clod_study_source *source, clod
     if (!compute(source, study, 1, status)) {
         return false;
     }
-    tell_undefined(plan, source, study->results);
     if (source->look != NULL) {
         source->look(source->context);
     }

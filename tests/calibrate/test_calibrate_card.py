@@ -3,6 +3,7 @@
 import json
 import os
 import shlex
+import shutil
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -106,6 +107,30 @@ class Card(bounce.Bounce):
         self.assertIn("warning: whether the included card meets the targets", " ".join(run.stderr.split()))
         with open(self.path("out/card-bounce/case-complete.yaml")) as file:
             self.assertIn(f"friction: {self.found()['parameters']['e']['card']:.4g}", file.read())
+
+    def test_command_keeps_what_a_case_includes_itself(self):
+        """By --set include the card would stand in place of the case's own file, and the grains would fall."""
+        rest = "gravity: [0 m/s2, 0 m/s2, 0 m/s2]\n"
+        with open(self.path("bounce.yaml")) as file:
+            case = file.read()
+        self.assertIn(rest, case)
+        self.write("rest.yaml", rest)
+        self.write("a bounce.yaml", case.replace(rest, ""))
+        self.write("another.yaml", case.replace(rest, "include: rest.yaml\n"))
+        for test in ("{case: a bounce.yaml, set: {include: rest.yaml}}", "{case: another.yaml}"):
+            done = self.calibrate(bounce.PLAN.replace("{case: bounce.yaml}", test), "-o", "out")
+            lines = done.stdout.split("\n")
+            at = next(k for k, line in enumerate(lines) if line.startswith("  clod run "))
+            self.assertRegex(" ".join(lines[at - 2 : at]), r"test bounce includes .*rest.yaml, and one file only .* into +FOLDER/card-bounce.yaml")
+            with open(self.path("out/card.yaml")) as file:
+                self.write("out/card-bounce.yaml", file.read() + rest)
+            run = clod.run(*shlex.split(lines[at].replace("FOLDER", self.path("out")))[1:], "-t", "1", cwd=self.folder)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with open(self.path("out/card-bounce/case-complete.yaml")) as file:
+                complete = file.read()
+            self.assertIn(f"restitution: {self.found()['parameters']['e']['card']:.4g}", complete)
+            self.assertIn("gravity: [0 m/s2, 0 m/s2, 0 m/s2]", complete)
+            shutil.rmtree(self.path("out"))
 
     def test_summary_of_a_tester_has_the_warning(self):
         self.write("card.yaml", "calibrated_with: {targets: missed}\n")

@@ -205,6 +205,28 @@ static void curved_loci_are_possible(void **state)
     clod_plan_fini(&plan);
 }
 
+// phi_e is that of a circle right of 0, so of a solid with sigma_2 >= 0 and ffc >= 1.
+static void tension_beside_phi_e_is_told_as_such(void **state)
+{
+#define NO_PHI_E                                                                               \
+    "Steady flow in tension (ffc below 1, sigma_2 below 0) has no phi_e: leave one of them out."
+    clod_plan plan;
+    lab_refuse(state, RING, PHI_E("40", "3") AND FFC("0.6", "0.02"), NO_PHI_E);
+    lab_refuse(state, RING, PHI_E("40", "3") AND MINOR("-10", "1"), NO_PHI_E);
+    lab_load_good(state, RING, PHI_E("40", "3") AND FFC("0.6", "0.02") ", held_back: true",
+                  &plan);
+    assert_int_equal(count_warnings(&plan, NO_PHI_E), 1);
+    clod_plan_fini(&plan);
+    // a sound ffc that a sigma_c contradicts is no tension
+    lab_load_good(state, RING,
+                  PHI_E("40", "1") AND FFC("3", "0.1")
+                      AND STRENGTH("10", "0.5") ", held_back: true",
+                  &plan);
+    assert_int_equal(count_warnings(&plan, NO), 1);
+    assert_int_equal(count_warnings(&plan, "has no phi_e"), 0);
+    clod_plan_fini(&plan);
+}
+
 // sigma_c is held back, and sigma_2 (30 kPa) is not.
 static void what_is_used_is_refused_beside_what_is_held_back(void **state)
 {
@@ -305,6 +327,7 @@ int main(void)
         TEST(the_nearest_solid_is_told),
         TEST(contradictions_of_what_follows),
         TEST(numbers_that_no_solid_has),
+        TEST(tension_beside_phi_e_is_told_as_such),
         TEST(curved_loci_are_possible),
         TEST(what_is_used_is_refused_beside_what_is_held_back),
         TEST(numbers_of_one_locus_go_together),

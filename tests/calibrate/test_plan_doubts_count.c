@@ -53,8 +53,8 @@ static void numbers_of_a_uniaxial_test(void **state)
     check(
         state, UNIAXIAL, SOLID, SIGMA_C AT("20 kPa"),
         "parameters: 3 are free, and the used targets are 1 independent number at most (points "
-        "of one line count as two): whatever the budget, at least 2 combinations of the "
-        "parameters will stay unknown");
+        "of one line count as two): probably 2 combinations of the parameters will stay "
+        "unknown, whatever the budget. ");
     check(state, UNIAXIAL, SOLID, SIGMA_C AT("20 kPa") ", " RHO_B AT("20 kPa"),
           "are 2 independent numbers at most");
     check(state, UNIAXIAL, SOLID,
@@ -67,6 +67,17 @@ static void numbers_of_a_uniaxial_test(void **state)
     check(state, UNIAXIAL, SOLID,
           SIGMA_C AT("20 kPa") ", " RHO_B AT("20 kPa") ", " NUMBER(
               "rho_b", "1550 kg/m3", "30 kg/m3") ", normal_stress: 54.8 kPa" HELD_BACK,
+          "are 2 independent numbers at most");
+}
+
+// They lie on no line by definition: three of either tell as much as three numbers.
+static void strengths_and_densities_at_three_stresses(void **state)
+{
+#define THREE(number) number AT("20 kPa") ", " number AT("54.8 kPa") ", " number AT("90 kPa")
+#define STRESSES UNIAXIAL ", set: {uniaxial.consolidation_stresses: [20 kPa, 54.8 kPa, 90 kPa]}"
+    check(state, STRESSES, SOLID, THREE(SIGMA_C), NULL);
+    check(state, STRESSES, SOLID, THREE(RHO_B), NULL);
+    check(state, STRESSES, SOLID, SIGMA_C AT("20 kPa") ", " SIGMA_C AT("90 kPa"),
           "are 2 independent numbers at most");
 }
 
@@ -118,6 +129,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(numbers_of_a_uniaxial_test, temp_folder_make,
                                         temp_folder_remove),
+        cmocka_unit_test_setup_teardown(strengths_and_densities_at_three_stresses,
+                                        temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(numbers_of_a_shear_test, temp_folder_make,
                                         temp_folder_remove),
         cmocka_unit_test_setup_teardown(numbers_at_a_wall, temp_folder_make,
