@@ -6,6 +6,7 @@
 
 #include "clod/locus.h"
 #include "hopper/fields.h"
+#include "hopper/told.h"
 #include "hopper/words.h"
 
 #define DEGREE (M_PI / 180.0)
@@ -133,17 +134,51 @@ static bool has_errors(const clod_curve *curve)
     return any;
 }
 
+/** Hoppers of a given half angle of which nobody knows how sure they are: "cone", "cone and wedge". */
+static size_t list_unsure(const clod_hopper *self, char text[32])
+{
+    size_t count = 0;
+    text[0] = '\0';
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        if (!clod_told_is_sure(self, &self->shape[s])) {
+            const size_t used = strlen(text);
+            snprintf(text + used, 32 - used, "%s%s", used > 0 ? " and " : "",
+                     CLOD_HOPPER_SHAPE_NAMES[s]);
+            count++;
+        }
+    }
+    return count;
+}
+
 /** Limits of mass flow whose interval nobody knows, since the wall has no errors. */
 static void warn_no_interval(clod_hopper *self)
 {
+    static const char *const ANGLES[CLOD_HOPPER_SHAPES + 1] = {
+        "it and the half angle have no interval, and other intervals leave that out",
+        "it and the half angle that is not given have no interval, and other intervals leave that out",
+        "it has no interval"};
     const clod_curve *wall = &self->solid.wall;
+    char unsure[32], given[224] = "";
+    const size_t count = list_unsure(self, unsure);
+    if (count > 0) {
+        snprintf(
+            given, sizeof given,
+            " The half angle of the %s is given, and is mass flow only below that limit: its outlet has no interval, "
+            "and shares of its samples are not known.",
+            unsure);
+    }
     if (clod_curve_has_errors(wall)) {
+        if (count > 0) {
+            clod_warning_list_add(&self->warnings,
+                                  "The limit that is given has no limit_error.%s", given);
+        }
         return;
     }
     clod_warning_list_add(
         &self->warnings,
         "How far the limit of mass flow may be off is not known, since wall friction has no errors, or not at all "
-        "points: it and the half angle have no interval, and other intervals leave that out. Give %s.",
+        "points: %s.%s Give %s.",
+        ANGLES[count], given,
         self->from.wall.file == NULL
             ? "the key error of wall_friction"
             : "tau_w_error, or points at three normal stresses or more: their scatter about "
