@@ -25,7 +25,7 @@ typedef struct clod_angles_source {
 
 /**
  * Refuse measured yield loci of which phi_lin, or the angle phi_sf of preshear, is not 1 to 80 deg, those of which tau_pre is less
- * than 0.4 of the line at sigma_pre, and those with a point sheared at 1 % and more above its own preshear stress.
+ * than 0.4 of the line at sigma_pre, and those with a point sheared at more than 1 % above its own preshear stress.
  *
  * @param study    of `points`
  * @param sources  [source_count] at least one; the last ends with the points

@@ -6,6 +6,7 @@
 
 #include "clod/locus.h"
 #include "hopper/fields.h"
+#include "hopper/told.h"
 #include "hopper/words.h"
 
 #define DEGREE (M_PI / 180.0)
@@ -18,7 +19,7 @@ static void warn_large_error(clod_hopper *self, const clod_curve *curve, const c
 {
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i];
-        if (p->y > 0.0 && p->y_error >= p->y && !p->by_line) {
+        if (p->y > 0.0 && clod_curve_stated(p) >= p->y) {
             char at[40] = ""; // a single value is that of any stress
             if (curve->count > 1) {
                 snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * p->x);
@@ -27,7 +28,7 @@ static void warn_large_error(clod_hopper *self, const clod_curve *curve, const c
                 &self->warnings,
                 "%s is %.6g %s with a standard error of %.6g %s%s: nothing was measured then. "
                 "Is the unit of one of them another one?",
-                what, scale * p->y, unit, scale * p->y_error, unit, at);
+                what, scale * p->y, unit, scale * clod_curve_stated(p), unit, at);
             return;
         }
     }
@@ -133,38 +134,84 @@ static bool has_errors(const clod_curve *curve)
     return any;
 }
 
+/** Hoppers of a given half angle of which nobody knows how sure they are: "cone", "cone and wedge". */
+static size_t list_unsure(const clod_hopper *self, char text[32])
+{
+    size_t count = 0;
+    text[0] = '\0';
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        if (!clod_told_is_sure(self, &self->shape[s])) {
+            const size_t used = strlen(text);
+            snprintf(text + used, 32 - used, "%s%s", used > 0 ? " and " : "",
+                     CLOD_HOPPER_SHAPE_NAMES[s]);
+            count++;
+        }
+    }
+    return count;
+}
+
 /** Limits of mass flow whose interval nobody knows, since the wall has no errors. */
 static void warn_no_interval(clod_hopper *self)
 {
+    static const char *const ANGLES[CLOD_HOPPER_SHAPES + 1] = {
+        "it and the half angle have no interval, and other intervals leave that out",
+        "it and the half angle that is not given have no interval, and other intervals leave that out",
+        "it has no interval"};
     const clod_curve *wall = &self->solid.wall;
+    char unsure[32], given[224] = "";
+    const size_t count = list_unsure(self, unsure);
+    if (count > 0) {
+        snprintf(
+            given, sizeof given,
+            " The half angle of the %s is given, and is mass flow only below that limit: its outlet has no interval, "
+            "and shares of its samples are not known.",
+            unsure);
+    }
     if (clod_curve_has_errors(wall)) {
+        if (count > 0) {
+            clod_warning_list_add(&self->warnings,
+                                  "The limit that is given has no limit_error.%s", given);
+        }
         return;
     }
     clod_warning_list_add(
         &self->warnings,
         "How far the limit of mass flow may be off is not known, since wall friction has no errors, or not at all "
-        "points: it and the half angle have no interval, and other intervals leave that out. Give %s.",
+        "points: %s.%s Give %s.",
+        ANGLES[count], given,
         self->from.wall.file == NULL
             ? "the key error of wall_friction"
             : "tau_w_error, or points at three normal stresses or more: their scatter about "
               "a line tells it");
 }
 
-/** Errors of a wall that are the scatter of its points. */
+/** Errors of a wall that are the scatter of its points, all or in part. */
 static void warn_by_line(clod_hopper *self)
 {
     const clod_curve *wall = &self->solid.wall;
+    const clod_curve_point *none = NULL, *raised = NULL;
     for (size_t i = 0; i < wall->count; i++) {
         const clod_curve_point *p = &wall->points[i];
-        if (p->by_line) {
-            clod_warning_list_add(
-                &self->warnings,
-                "Wall yield locus: points without an error get what the %zu points scatter by about their line, "
-                "%.3g kPa, drawn from Student's t of %zu degree%s of freedom: so few tell it roughly. More points, "
-                "or tau_w_error, make the interval of the half angle narrower.",
-                wall->count, 1e-3 * p->y_error, p->freedom, p->freedom == 1 ? "" : "s");
-            return;
-        }
+        none = none == NULL && p->by_line ? p : none;
+        raised = raised == NULL && p->stated > 0.0 && p->freedom > 0 ? p : raised;
+    }
+    if (raised != NULL) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Wall yield locus: the %zu points scatter about their line by more than their tau_w_error tells (chance makes "
+            "that in fewer than 5 of 100 tests), as points of a curved wall do, or where the error is that of a reading "
+            "alone. So what they scatter beyond it is added, %.3g kPa in all at %.3g kPa, and drawn from Student's t of "
+            "%zu degree%s of freedom.",
+            wall->count, 1e-3 * raised->y_error, 1e-3 * raised->x, raised->freedom,
+            raised->freedom == 1 ? "" : "s");
+    }
+    if (none != NULL) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Wall yield locus: points without an error get what the %zu points scatter by about their line, "
+            "%.3g kPa, drawn from Student's t of %zu degree%s of freedom: so few tell it roughly. More points, "
+            "or tau_w_error, make the interval of the half angle narrower.",
+            wall->count, 1e-3 * none->y_error, none->freedom, none->freedom == 1 ? "" : "s");
     }
 }
 
@@ -247,7 +294,8 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
     const char *what = curve->specimens > 0 ? "specimens" : "repeats";
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        const size_t freedom = curve->points[i].by_line ? 0 : curve->points[i].freedom;
+        const clod_curve_point *p = &curve->points[i];
+        const size_t freedom = p->by_line || p->stated > 0.0 ? 0 : p->freedom;
         least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
     }
     if (least > 0 && least < FEW) {

@@ -145,7 +145,8 @@ void clod_doubts_looser(clod_hopper *self)
             }
         }
     }
-    if (self->solid.rho.count > 1 && lowest.sigma_1 < least->x * (1.0 - CLOD_DOUBTS_APART)) {
+    if (lowest.sigma_1 <
+        least->x * (1.0 - CLOD_DOUBTS_APART)) { // a single value is of no stress, 0
         clod_warning_list_add(
             &self->warnings,
             "Bulk density: %s (%s) sigma_1 is %.3f kPa, below the smallest at which it was measured, %.3f kPa, whose "

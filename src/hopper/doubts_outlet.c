@@ -13,10 +13,14 @@
 #define DEGREE (M_PI / 180.0)
 #define SHOWN 0.0005 // least share that is not printed as 0.0 %
 
-/** "208.2 mm (161.8 to 246.2)"; an end may be infinite. */
+/** "208.2 mm (161.8 to 246.2)"; an end may be infinite; "208.2 mm" without an interval. */
 static void put_size(char text[96], const clod_hopper_value *size)
 {
     char high[32] = "infinite";
+    if (isnan(size->low)) {
+        snprintf(text, 96, "%.1f mm", 1e3 * size->value);
+        return;
+    }
     if (isfinite(size->high)) {
         snprintf(high, sizeof high, "%.1f", 1e3 * size->high);
     }
@@ -44,17 +48,29 @@ static void put_why(const clod_hopper_found *found, bool told, char text[128])
     }
 }
 
+/** " 5.7 % of the samples do not flow", and why, as a sentence; "" if nothing tells the share. */
+static void put_share(const clod_hopper_found *found, bool told, char text[192])
+{
+    char reason[128];
+    text[0] = '\0';
+    if (!isnan(found->arching)) {
+        put_why(found, told, reason);
+        snprintf(text, 192, " %.1f %% of the samples do not flow%s.", 100.0 * found->arching,
+                 reason);
+    }
+}
+
 /** An outlet that is given beside the critical one and its interval. */
 static void warn_planned(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
     const clod_hopper_value *critical = &found->number[CLOD_HOPPER_OUTLET];
     const double tail = 0.5 * (1.0 - self->from.interval.level);
     const double planned = found->planned;
-    const double share = 100.0 * found->arching;
     const bool below = planned < critical->value;
-    char outlet[96], reason[128];
+    char outlet[96], reason[128], share[192];
     put_size(outlet, critical);
     put_why(found, below, reason);
+    put_share(found, below, share);
     const char *why =
         clod_ranges_hold(&found->lower, planned)
             ? "no arch stands over it, but one does above it, where the hopper is wider"
@@ -62,29 +78,25 @@ static void warn_planned(clod_hopper *self, const char *name, const clod_hopper_
                                : "it arches";
     if (isinf(critical->value)) {
         clod_warning_list_add(
-            &self->warnings,
-            "%s: the outlet of %.6g mm is not large enough, as none is: %s. %.1f %% of the "
-            "samples do not flow%s.",
-            name, 1e3 * planned, why, share, reason);
+            &self->warnings, "%s: the outlet of %.6g mm is not large enough, as none is: %s.%s",
+            name, 1e3 * planned, why, share);
     } else if (below) {
-        clod_warning_list_add(&self->warnings,
-                              "%s: the outlet of %.6g mm is below the critical one, %s: %s%s. "
-                              "%.1f %% of the samples do not flow%s.",
-                              name, 1e3 * planned, outlet,
-                              planned < critical->low ? "" : "as measured ", why, share,
-                              reason);
+        clod_warning_list_add(
+            &self->warnings, "%s: the outlet of %.6g mm is below the critical one, %s: %s%s.%s",
+            name, 1e3 * planned, outlet, planned < critical->low ? "" : "as measured ", why,
+            share);
     } else if (planned < critical->high && found->arching >= SHOWN) {
         clod_warning_list_add(
             &self->warnings,
             "%s: the outlet of %.6g mm is inside the interval of the critical "
-            "one, %s. %.1f %% of the samples do not flow%s.",
-            name, 1e3 * planned, outlet, share, reason);
+            "one, %s.%s",
+            name, 1e3 * planned, outlet, share);
     } else if (found->arching > tail) {
         clod_warning_list_add(&self->warnings,
                               "%s: %.1f %% of the samples do not flow through the outlet of "
                               "%.6g mm with the half angle of %.1f deg%s.",
-                              name, share, 1e3 * planned, found->design.half_angle / DEGREE,
-                              reason);
+                              name, 100.0 * found->arching, 1e3 * planned,
+                              found->design.half_angle / DEGREE, reason);
     }
 }
 

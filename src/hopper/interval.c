@@ -9,6 +9,7 @@
 #include "hopper/draw.h"
 #include "hopper/samples.h"
 #include "hopper/specimens.h"
+#include "hopper/told.h"
 #include "parallel/threads.h"
 
 #define JOBS 64
@@ -263,12 +264,6 @@ static size_t sort_numbers(const task *self, size_t offset, double *room)
     return count;
 }
 
-/** No interval. */
-static void forget(clod_hopper_value *value)
-{
-    value->low = value->high = value->low_error = value->high_error = (double)NAN;
-}
-
 /**
  * Interval of a number that lies `offset` bytes into each sample; those that are NAN left out. A
  * number that is not known has none.
@@ -279,7 +274,7 @@ static double put_interval(const task *self, size_t offset, double *room,
                            clod_hopper_value *value)
 {
     const size_t count = sort_numbers(self, offset, room);
-    forget(value);
+    clod_told_no_interval(value);
     if (count > 0 && !isnan(value->value)) {
         const double scale = finer(value->value, number_at(&self->measured, offset));
         const double tail = 0.5 * (1.0 - self->hopper->from.interval.level);
@@ -372,26 +367,6 @@ static void put_shares(const task *self, int s, clod_hopper_found *found)
     found->held = (double)held / (double)self->count;
 }
 
-/** Whether anything tells how far a number is off; what rests on a wall without errors has no interval. */
-static bool is_told(const clod_hopper *self, const clod_hopper_found *found,
-                    clod_hopper_number number)
-{
-    const bool wall = clod_curve_has_errors(&self->solid.wall);
-    const bool limit = found->wish.limit > 0.0 ? found->limit_error > 0.0 : wall;
-    switch (number) {
-    case CLOD_HOPPER_LIMIT:
-        return limit;
-    case CLOD_HOPPER_HALF_ANGLE:
-    case CLOD_HOPPER_ARCH:
-        return limit || found->wish.half_angle > 0.0;
-    case CLOD_HOPPER_PHI_W:
-    case CLOD_HOPPER_DESIGN_PHI_W:
-        return wall;
-    default:
-        return true;
-    }
-}
-
 static void collect(const task *self, const rooms *all, clod_hopper *to)
 {
     double *room = all->numbers;
@@ -399,14 +374,12 @@ static void collect(const task *self, const rooms *all, clod_hopper *to)
         for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
             const size_t place = (size_t)(s * CLOD_HOPPER_NUMBERS + n) * sizeof(double);
             put_interval(self, offsetof(sample, number) + place, room, &to->shape[s].number[n]);
-            if (!is_told(to, &to->shape[s], (clod_hopper_number)n)) {
-                forget(&to->shape[s].number[n]);
-            }
         }
         put_shares(self, s, &to->shape[s]);
         put_arched(self, s, room, &to->shape[s]);
         put_quantiles(self, s, room, &to->shape[s]);
         put_causes(self, s, all, &to->shape[s]);
+        clod_told_forget(to, &to->shape[s]);
     }
     for (size_t h = 0; h < CLOD_HOPPER_HOLES; h++) {
         to->holed[h] = put_interval(self, offsetof(sample, hole) + h * sizeof(double), room,

@@ -48,7 +48,8 @@ typedef struct clod_hopper_found {
     double planned;     ///< m: outlet that is given; 0: none
     double limit_error; ///< rad: standard error of the wish's limit
     clod_hopper_value number[CLOD_HOPPER_NUMBERS];
-    double share[CLOD_HOPPER_OUTCOMES]; ///< of the samples
+    double share[CLOD_HOPPER_OUTCOMES]; ///< of the samples; this, arching and held: NAN if
+                                        ///< nothing tells how sure they are (told.h)
     double arched_low,
         arched_high;   ///< m: interval of the outlet of those that have a critical one;
                        ///< NAN: none has

@@ -55,16 +55,18 @@ static void put_text(FILE *out, const char *first, const char *text)
 
 static void put_planned(FILE *out, const clod_hopper_found *found)
 {
+    static const clod_hopper_field SHARE = {"", "", "%", 100.0, 1.0, 1, NULL};
     if (found->planned <= 0.0) {
         return;
     }
     fprintf(out, "\n  Outlet of %.1f mm%s\n", 1e3 * found->planned,
             found->design.outcome == CLOD_HOPPER_UNPROVEN ? ", if it is mass flow" : "");
     put_line(out, &CLOD_HOPPER_FIELDS[CLOD_HOPPER_MARGIN], &found->number[CLOD_HOPPER_MARGIN]);
-    fprintf(out, "  %-32s%10.1f %%\n",
+    fprintf(out, "  %-32s",
             found->design.outcome == CLOD_HOPPER_FUNNEL ? "samples without mass flow"
-                                                        : "samples that do not flow",
-            100.0 * found->arching);
+                                                        : "samples that do not flow");
+    put_number(out, 10, &SHARE, found->arching);
+    fputs(" %\n", out);
     if (found->share[CLOD_HOPPER_UNPROVEN] > 0.0) {
         fprintf(out, "  %-32s%10.1f %%\n", "perhaps no mass flow",
                 100.0 * found->share[CLOD_HOPPER_UNPROVEN]);

@@ -190,19 +190,23 @@ static void put_margin(FILE *out, const clod_hopper_found *found)
     const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_MARGIN];
     const clod_hopper_value *margin = &found->number[CLOD_HOPPER_MARGIN];
     const double unproven = found->share[CLOD_HOPPER_UNPROVEN];
-    char numbers[240], perhaps[64] = "", caption[512];
+    char numbers[240], flow[64] = "", perhaps[64] = "", caption[512];
     if (isnan(margin->value)) { // funnel flow: no arch is asked for
         return;
     }
     tell(numbers, how, margin);
+    if (!isnan(found->arching)) {
+        snprintf(flow, sizeof flow, "; %.1f %% of the samples do not flow",
+                 100.0 * found->arching);
+    }
     if (unproven > 0.0) {
         snprintf(perhaps, sizeof perhaps, "; %.1f %% are perhaps no mass flow",
                  100.0 * unproven);
     }
     snprintf(caption, sizeof caption,
              "stress over strength of an arch over the outlet asked for, %.1f mm: above 1 it "
-             "breaks. %s; %.1f %% of the samples do not flow%s",
-             1e3 * found->planned, numbers, 100.0 * found->arching, perhaps);
+             "breaks. %s%s%s",
+             1e3 * found->planned, numbers, flow, perhaps);
     put_card(out, how, margin->value, caption);
 }
 

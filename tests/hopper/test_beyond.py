@@ -76,6 +76,18 @@ class Beyond(hopper_case.Case):
         _, told = self.beyond("--set", "wall_friction={angle: 60 deg}")
         self.assertEqual(self.mine(told, "Wedge", STRESSES), [f"Wedge: for a slot in funnel flow sigma_1 is 1.288 kPa, {STRESSES}"])
 
+    def test_one_density_of_a_table(self):
+        """Held at all stresses, as is that of several rows below the smallest; a value is of no stress."""
+        density = "bulk_density: {file: rho.csv}\n"
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n8,1350\n")
+        for more, many in ((density, 1), ("bulk_density: {value: 1350 kg/m3}\n", 0)):
+            found, _ = self.beyond(more=more)
+            self.assertEqual(found["cone"]["rho_b_kg_m3"]["value"], 1350.0)
+            said = [text for text in found["warnings"] if text.startswith("Bulk density: ")]
+            self.assertEqual(len(said), many)
+            for text in said:
+                self.assertIn("below the smallest at which it was measured, 8.000 kPa, whose 1350 kg/m3 is taken there", text)
+
     def test_ratholes(self):
         found, told = self.beyond("--set", "silo={diameter: 3 m, height: 8 m}")
         filling = found["rathole"]["filling_stress_Pa"]

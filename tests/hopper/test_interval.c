@@ -6,9 +6,12 @@
 
 #define SAMPLES 500
 
-/** A hopper of which only the shapes' values are known. */
+/** A hopper of which only the shapes' values are known. Its half angle is given, so its wall needs an error: one too small
+ *  to change any digit. */
 static void begin(clod_hopper *self, const clod_solid *solid)
 {
+    clod_curve_point *wall = &solid->wall.points[0];
+    wall->y_error = wall->y_error > 0.0 ? wall->y_error : 1e-30;
     *self = (clod_hopper){.solid = *solid,
                           .from = {.interval = {.level = 0.9, .samples = SAMPLES, .seed = 7}}};
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
