@@ -24,15 +24,9 @@ bool clod_curve_has_errors(const clod_curve *self)
     bool all = self->count > 0;
     for (size_t i = 0; i < self->count; i++) {
         const clod_curve_point *point = &self->points[i];
-        all = all && (point->y_error > 0.0 || point->spread != NULL);
+        all = all && (point->x_error > 0.0 || point->y_error > 0.0 || point->spread != NULL);
     }
     return all;
-}
-
-double clod_curve_stated(const clod_curve_point *self)
-{
-    const double given = self->stated > 0.0 ? self->stated : self->y_error;
-    return self->by_line ? 0.0 : given;
 }
 
 void clod_curve_sort(clod_curve *self)

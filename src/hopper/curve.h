@@ -24,11 +24,8 @@ typedef struct clod_curve_point {
     size_t set; ///< of specimens: points of one set have some in common, or a chain of them; of
                 ///< errors with freedom: those of one set have one scale
     bool by_line; ///< y_error is what all points scatter by about their line, none was given
-    double
-        stated; ///< standard error of y as given, where y_error is that and what all points scatter by
-                ///< beyond it; 0: y_error is not raised so
-    size_t row; ///< of the table, from 1 on: curves of one row have one x; 0: none
-    bool joint; ///< whether y moves with x and the others of its row
+    size_t row;   ///< of the table, from 1 on: curves of one row have one x; 0: none
+    bool joint;   ///< whether y moves with x and the others of its row
     double
         part[CLOD_CURVE_JOINT]; ///< then: move of y per standard normal number of its row, the
                                 ///< first of which moves x; y_error is all of it
@@ -78,11 +75,8 @@ typedef struct clod_curve {
     clod_curve_misfit misfit; ///< of a line
 } clod_curve;
 
-/** Whether all points have an error of y, or specimens that tell it, be it 0; a curve of no points has none. */
+/** Whether all points have an error, or specimens that tell it, be it 0; a curve of no points has none. */
 bool clod_curve_has_errors(const clod_curve *self);
-
-/** Standard error of y as given; 0: none was, y_error is all scatter about a line. */
-double clod_curve_stated(const clod_curve_point *self);
 
 /** Sort the points. */
 void clod_curve_sort(clod_curve *self);

@@ -19,7 +19,7 @@ static void warn_large_error(clod_hopper *self, const clod_curve *curve, const c
 {
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i];
-        if (p->y > 0.0 && clod_curve_stated(p) >= p->y) {
+        if (p->y > 0.0 && p->y_error >= p->y && !p->by_line) {
             char at[40] = ""; // a single value is that of any stress
             if (curve->count > 1) {
                 snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * p->x);
@@ -28,7 +28,7 @@ static void warn_large_error(clod_hopper *self, const clod_curve *curve, const c
                 &self->warnings,
                 "%s is %.6g %s with a standard error of %.6g %s%s: nothing was measured then. "
                 "Is the unit of one of them another one?",
-                what, scale * p->y, unit, scale * clod_curve_stated(p), unit, at);
+                what, scale * p->y, unit, scale * p->y_error, unit, at);
             return;
         }
     }
@@ -185,33 +185,21 @@ static void warn_no_interval(clod_hopper *self)
               "a line tells it");
 }
 
-/** Errors of a wall that are the scatter of its points, all or in part. */
+/** Errors of a wall that are the scatter of its points. */
 static void warn_by_line(clod_hopper *self)
 {
     const clod_curve *wall = &self->solid.wall;
-    const clod_curve_point *none = NULL, *raised = NULL;
     for (size_t i = 0; i < wall->count; i++) {
         const clod_curve_point *p = &wall->points[i];
-        none = none == NULL && p->by_line ? p : none;
-        raised = raised == NULL && p->stated > 0.0 && p->freedom > 0 ? p : raised;
-    }
-    if (raised != NULL) {
-        clod_warning_list_add(
-            &self->warnings,
-            "Wall yield locus: the %zu points scatter about their line by more than their tau_w_error tells (chance makes "
-            "that in fewer than 5 of 100 tests), as points of a curved wall do, or where the error is that of a reading "
-            "alone. So what they scatter beyond it is added, %.3g kPa in all at %.3g kPa, and drawn from Student's t of "
-            "%zu degree%s of freedom.",
-            wall->count, 1e-3 * raised->y_error, 1e-3 * raised->x, raised->freedom,
-            raised->freedom == 1 ? "" : "s");
-    }
-    if (none != NULL) {
-        clod_warning_list_add(
-            &self->warnings,
-            "Wall yield locus: points without an error get what the %zu points scatter by about their line, "
-            "%.3g kPa, drawn from Student's t of %zu degree%s of freedom: so few tell it roughly. More points, "
-            "or tau_w_error, make the interval of the half angle narrower.",
-            wall->count, 1e-3 * none->y_error, none->freedom, none->freedom == 1 ? "" : "s");
+        if (p->by_line) {
+            clod_warning_list_add(
+                &self->warnings,
+                "Wall yield locus: points without an error get what the %zu points scatter by about their line, "
+                "%.3g kPa, drawn from Student's t of %zu degree%s of freedom: so few tell it roughly. More points, "
+                "or tau_w_error, make the interval of the half angle narrower.",
+                wall->count, 1e-3 * p->y_error, p->freedom, p->freedom == 1 ? "" : "s");
+            return;
+        }
     }
 }
 
@@ -294,8 +282,7 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
     const char *what = curve->specimens > 0 ? "specimens" : "repeats";
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        const clod_curve_point *p = &curve->points[i];
-        const size_t freedom = p->by_line || p->stated > 0.0 ? 0 : p->freedom;
+        const size_t freedom = curve->points[i].by_line ? 0 : curve->points[i].freedom;
         least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
     }
     if (least > 0 && least < FEW) {

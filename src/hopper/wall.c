@@ -5,11 +5,9 @@
 
 #include "analysis/fit.h"
 #include "base/memory.h"
-#include "hopper/chance.h"
 #include "hopper/specimens.h"
 
 #define SAME_STRESS 0.02 ///< relative: no further apart, two normal stresses are one
-#define RARE 0.05        ///< chance of a scatter that stated errors do not make
 #define ASKED 1e-6       ///< the same for those that were asked for, which are exact
 #define ROUND_OFF                                                                              \
     1e-9 ///< of the shear stresses: points that scatter by less are on a line by construction
@@ -141,22 +139,8 @@ static void make_curve(const set *self, clod_curve *curve)
     }
 }
 
-/** What all points of a curve tell of their errors together. */
-typedef struct scatter {
-    double about; ///< standard deviation about their line; 0: it is not known
-    double
-        beyond; ///< variance of that beyond what is stated, on average, for those that state it
-    bool wrong; ///< whether chance hardly makes them scatter so much beyond what is stated
-} scatter;
-
-/** Whether the error of a point is one of tau, as stated. */
-static bool is_stated(const clod_curve_point *point)
-{
-    return point->y_error > 0.0 && point->spread == NULL && point->freedom == 0;
-}
-
-/** @param work  [2 count] */
-static scatter scatter_of(const clod_curve *curve, double *work)
+/** Standard deviation of the points about their line; 0: it is not known. */
+static double scatter_of(const clod_curve *curve, double *work)
 {
     const size_t n = curve->count;
     double *x = work, *y = work + n, largest = 0.0;
@@ -165,48 +149,25 @@ static scatter scatter_of(const clod_curve *curve, double *work)
         y[i] = curve->points[i].y;
         largest = fmax(largest, fabs(y[i]));
     }
-    const clod_fit line = n > 2 ? clod_fit_line(x, y, n) : (clod_fit){0};
-    const double about = n > 2 ? sqrt(line.residual / ((double)n - 2.0)) : 0.0;
-    if (!(about > ROUND_OFF * largest)) {
-        return (scatter){0};
-    }
-    double sum = 0.0;
-    size_t count = 0;
-    for (size_t i = 0; i < n; i++) {
-        const clod_curve_point *point = &curve->points[i];
-        const double across = line.slope * point->x_error;
-        sum += is_stated(point) ? point->y_error * point->y_error + across * across : 0.0;
-        count += is_stated(point) ? 1 : 0;
-    }
-    const double stated = count > 0 ? sum / (double)count : 0.0;
-    const bool wrong =
-        stated > 0.0 && clod_chance_above(line.residual / stated, n - 2, 0) < RARE;
-    return (scatter){about, fmax(about * about - stated, 0.0), wrong};
+    const double scatter =
+        n > 2 ? sqrt(clod_fit_line(x, y, n).residual / ((double)n - 2.0)) : 0.0;
+    return scatter > ROUND_OFF * largest ? scatter : 0.0;
 }
 
-/**
- * Points without an error of tau have that of the scatter of all about their line: one number, of one scale. Those with
- * one have what the points scatter by beyond it, too, as in clod locus.
- */
+/** Points without an error have that of the scatter of all about their line: one number, of one scale. */
 static bool take_scatter(clod_curve *curve)
 {
     double *work = clod_memory_alloc(2 * curve->count, sizeof *work);
-    const scatter all = work != NULL ? scatter_of(curve, work) : (scatter){0};
+    const double scatter = work != NULL ? scatter_of(curve, work) : 0.0;
     size_t first = curve->count;
-    for (size_t i = 0; i < curve->count && all.about > 0.0; i++) {
+    for (size_t i = 0; i < curve->count && scatter > 0.0; i++) {
         clod_curve_point *point = &curve->points[i];
-        const bool none = point->y_error == 0.0 && point->spread == NULL;
-        const bool raised = is_stated(point) && all.beyond > 0.0;
-        if (raised) {
-            point->stated = point->y_error;
-            point->y_error = sqrt(point->y_error * point->y_error + all.beyond);
-        }
-        if (none || (raised && all.wrong)) {
+        if (point->x_error == 0.0 && point->y_error == 0.0 && point->spread == NULL) {
             first = first < i ? first : i;
-            point->y_error = none ? all.about : point->y_error;
+            point->y_error = scatter;
             point->freedom = curve->count - 2;
             point->set = first;
-            point->by_line = none;
+            point->by_line = true;
         }
     }
     clod_memory_free(work);
