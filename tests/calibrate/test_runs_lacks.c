@@ -3,10 +3,7 @@
  * Runs that do not define a number are named with what their report says of it, and those in which it counts as 0 are counted.
  */
 
-#include <sys/stat.h>
-
-#include "calibrate/runs.h"
-#include "plan_lab.h"
+#include "runs_made.h"
 
 #define PACKINGS 3
 #define PILE "cases/calibrate-repose/pile.yaml" // repose: {heap: ...}
@@ -14,55 +11,22 @@
     "{\"flow_function\": [{\"consolidation_stress_Pa\": 20000, \"sigma_1_Pa\": %g, "           \
     "\"sigma_c_Pa\": %g}]}"
 
-/** A calibration of one point. */
-typedef struct made {
-    clod_plan plan;
-    clod_folder folder;
-    clod_runs_row rows[PACKINGS];
-    clod_runs runs;
-} made;
-
-static void make(made *self, void **state, const char *from, const char *target)
-{
-    char path[PATH_MAX];
-    *self = (made){.folder = {.path = *state}};
-    lab_load_good(state, from, target, &self->plan);
-    self->plan.seeds = PACKINGS;
-    for (size_t k = 0; k < PACKINGS; k++) {
-        self->rows[k].state = CLOD_RUNS_DONE;
-    }
-    self->runs = (clod_runs){
-        .plan = &self->plan, .folder = &self->folder, .rows = self->rows, .points = 1};
-    (void)mkdir(temp_path(path, state, "runs"), 0777); // there in the second of a test
-}
-
-static void write_result(const made *self, size_t row, const char *name, const char *text)
-{
-    char path[PATH_MAX];
-    clod_runs_path(&self->runs, row, "", path);
-    (void)mkdir(path, 0777);
-    clod_runs_path(&self->runs, row, name, path);
-    FILE *out = fopen(path, "w");
-    assert_non_null(out);
-    fputs(text, out);
-    assert_int_equal(fclose(out), 0);
-}
-
-static void write_strength(const made *self, size_t row, double sigma_1, double sigma_c)
+static void write_strength(const runs_made *self, size_t row, double sigma_1, double sigma_c)
 {
     char text[256];
     snprintf(text, sizeof text, FLOW, sigma_1, sigma_c);
-    write_result(self, row, "/summary.json", text);
+    runs_write(self, row, "/summary.json", text);
 }
 
 static void run_without_the_number_is_told_with_the_words_of_its_report(void **state)
 {
-    made all;
+    runs_made all;
     char text[CLOD_RUNS_REASON];
-    make(&all, state, PILE, "number: repose.heap.angle_deg, value: 34 deg, error: 1 deg");
-    write_result(&all, 0, "/summary.json", "{\"repose\": {\"heap\": {\"angle_deg\": 31.5}}}");
-    write_result(&all, 1, "/summary.json", "{\"repose\": {\"heap\": {\"angle_deg\": null}}}");
-    write_result(
+    runs_make(&all, state, PILE, PACKINGS,
+              "number: repose.heap.angle_deg, value: 34 deg, error: 1 deg");
+    runs_write(&all, 0, "/summary.json", "{\"repose\": {\"heap\": {\"angle_deg\": 31.5}}}");
+    runs_write(&all, 1, "/summary.json", "{\"repose\": {\"heap\": {\"angle_deg\": null}}}");
+    runs_write(
         &all, 1, "/report.txt",
         "time 1 s\n  mixing heap     as long a word\n  repose hea      one\n  repose heaps    another\n"
         "  repose heap     angle of repose none at the end (2 strips)\n  balance\n");
@@ -72,16 +36,16 @@ static void run_without_the_number_is_told_with_the_words_of_its_report(void **s
     assert_false(clod_runs_lacks(&all.runs, 0, text));
     assert_string_equal(text, "");
     all.rows[1].state = CLOD_RUNS_DONE;
-    write_result(&all, 1, "/report.txt", "time 1 s\n\n  repose\n  repose heap");
+    runs_write(&all, 1, "/report.txt", "time 1 s\n\n  repose\n  repose heap");
     assert_true(clod_runs_lacks(&all.runs, 0, text));
     assert_string_equal(text, "p000-2-lab: "); // nothing behind the name
-    write_result(&all, 1, "/report.txt", "time 1 s\n\n  repose\n");
+    runs_write(&all, 1, "/report.txt", "time 1 s\n\n  repose\n");
     assert_true(clod_runs_lacks(&all.runs, 0, text));
     assert_string_equal(text, "p000-2-lab");
     clod_plan_fini(&all.plan);
 }
 
-static void check_zeros(made *all, const char *words)
+static void check_zeros(runs_made *all, const char *words)
 {
     static clod_warning_list list;
     list.count = 0;
@@ -97,11 +61,11 @@ static void check_zeros(made *all, const char *words)
 
 static void strengths_that_count_as_0_are_told(void **state)
 {
-    made all;
-    make(&all, state, UNIAXIAL, VALUE);
+    runs_made all;
+    runs_make(&all, state, UNIAXIAL, PACKINGS, VALUE);
     write_strength(&all, 0, 2e4, 0.0);
     write_strength(&all, 1, 2e4, 5e3);
-    write_result(&all, 2, "/summary.json", "{}"); // not defined
+    runs_write(&all, 2, "/summary.json", "{}"); // not defined
     check_zeros(&all,
                 "lab: sigma_c at 20 kPa counts as 0 in 1 of 2 runs: specimens did not stand.");
 }
@@ -109,10 +73,10 @@ static void strengths_that_count_as_0_are_told(void **state)
 // From 15 to 20 kPa the table rises by 5 of 34.8 times 7 kPa: what is compared is above 0, the strength is not.
 static void strengths_of_0_along_a_table_are_told(void **state)
 {
-    made all;
+    runs_made all;
     lab_write_file(state, "lab.csv",
                    "sigma_1 [kPa],sigma_c [kPa],sigma_c_error [kPa]\n20,6,0.4\n54.8,13,0.7\n");
-    make(&all, state, UNIAXIAL, "locus: lab.csv, normal_stress: 20 kPa");
+    runs_make(&all, state, UNIAXIAL, PACKINGS, "locus: lab.csv, normal_stress: 20 kPa");
     write_strength(&all, 0, 1.5e4, 0.0);
     write_strength(&all, 1, 1.9e4, 0.0);
     write_strength(&all, 2, 1.5e4, 5e3);
@@ -122,12 +86,13 @@ static void strengths_of_0_along_a_table_are_told(void **state)
 
 static void strengths_above_0_and_angles_are_not_told(void **state)
 {
-    made all;
-    make(&all, state, UNIAXIAL, VALUE);
+    runs_made all;
+    runs_make(&all, state, UNIAXIAL, PACKINGS, VALUE);
     write_strength(&all, 0, 2e4, 1.0);
     check_zeros(&all, NULL);
-    make(&all, state, PILE, "number: repose.heap.angle_deg, value: 34 deg, error: 1 deg");
-    write_result(&all, 0, "/summary.json", "{\"repose\": {\"heap\": {\"angle_deg\": 0.0}}}");
+    runs_make(&all, state, PILE, PACKINGS,
+              "number: repose.heap.angle_deg, value: 34 deg, error: 1 deg");
+    runs_write(&all, 0, "/summary.json", "{\"repose\": {\"heap\": {\"angle_deg\": 0.0}}}");
     check_zeros(&all, NULL);
 }
 

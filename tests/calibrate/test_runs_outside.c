@@ -3,10 +3,7 @@
  * Runs that are consolidated beyond a measured table are told, with how far they are: sigma_1 by hand.
  */
 
-#include <sys/stat.h>
-
-#include "calibrate/runs.h"
-#include "plan_lab.h"
+#include "runs_made.h"
 
 #define PACKINGS 2
 #define FLOW_HEAD "sigma_1 [kPa],sigma_c [kPa],sigma_c_error [kPa]\n"
@@ -17,43 +14,14 @@
 #define AT_115 POINTS_HEAD "54.8,37.4,12,16\n54.8,37.4,30,25\n"
 #define AT_58 POINTS_HEAD "27.4,18.7,6,8\n27.4,18.7,15,12.5\n"
 
-/** A calibration of one point of two packings. */
-typedef struct made {
-    clod_plan plan;
-    clod_folder folder;
-    clod_runs_row rows[PACKINGS];
-    clod_runs runs;
-} made;
-
-static void make(made *self, void **state, const char *from, const char *table,
+static void make(runs_made *self, void **state, const char *from, const char *table,
                  const char *target)
 {
-    char path[PATH_MAX];
-    *self = (made){.folder = {.path = *state}};
     lab_write_file(state, "lab.csv", table);
-    lab_load_good(state, from, target, &self->plan);
-    self->plan.seeds = PACKINGS;
-    for (size_t k = 0; k < PACKINGS; k++) {
-        self->rows[k].state = CLOD_RUNS_DONE;
-    }
-    self->runs = (clod_runs){
-        .plan = &self->plan, .folder = &self->folder, .rows = self->rows, .points = 1};
-    assert_int_equal(mkdir(temp_path(path, state, "runs"), 0777), 0);
+    runs_make(self, state, from, PACKINGS, target);
 }
 
-static void write_result(const made *self, size_t row, const char *name, const char *text)
-{
-    char path[PATH_MAX];
-    clod_runs_path(&self->runs, row, "", path);
-    assert_int_equal(mkdir(path, 0777), 0);
-    clod_runs_path(&self->runs, row, name, path);
-    FILE *out = fopen(path, "w");
-    assert_non_null(out);
-    fputs(text, out);
-    assert_int_equal(fclose(out), 0);
-}
-
-static void check(made *self, const char *text)
+static void check(runs_made *self, const char *text)
 {
     static clod_warning_list list;
     list.count = 0;
@@ -67,10 +35,10 @@ static void check(made *self, const char *text)
 
 static void runs_beyond_a_table_are_told(void **state)
 {
-    made all;
+    runs_made all;
     make(&all, state, RING, FLOW_HEAD "200,30,1.5\n", "locus: lab.csv");
-    write_result(&all, 0, "/points.csv", AT_115);
-    write_result(&all, 1, "/points.csv", AT_58);
+    runs_write(&all, 0, "/points.csv", AT_115);
+    runs_write(&all, 1, "/points.csv", AT_58);
     check(
         &all,
         "2 runs of test lab had sigma_1 of 57.66 to 115.3 kPa, and the table of target lab: sigma_c at 200 kPa has 200 kPa: they are compared with its one row as if they were there. Add measured rows at such stresses, or consolidate the test at another one.");
@@ -78,36 +46,36 @@ static void runs_beyond_a_table_are_told(void **state)
 
 static void runs_near_a_table_are_not_told(void **state)
 {
-    made all; // 115.3 kPa is 4.8 % above the last row, and 57.66 kPa 3.9 % below the first
+    runs_made all; // 115.3 kPa is 4.8 % above the last row, and 57.66 kPa 3.9 % below the first
     make(&all, state, RING, FLOW_HEAD "60,16,0.8\n110,22,1.1\n",
          "locus: lab.csv, normal_stress: 60 kPa");
-    write_result(&all, 0, "/points.csv", AT_115);
-    write_result(&all, 1, "/points.csv", AT_58);
+    runs_write(&all, 0, "/points.csv", AT_115);
+    runs_write(&all, 1, "/points.csv", AT_58);
     check(&all, NULL);
 }
 
 static void failed_and_damaged_runs_are_not_looked_at(void **state)
 {
-    made all;
+    runs_made all;
     make(&all, state, RING, FLOW_HEAD "200,30,1.5\n", "locus: lab.csv");
-    write_result(&all, 0, "/points.csv", AT_115);
-    write_result(&all, 1, "/points.csv", "damaged\n");
+    runs_write(&all, 0, "/points.csv", AT_115);
+    runs_write(&all, 1, "/points.csv", "damaged\n");
     all.rows[0].state = CLOD_RUNS_FAILED;
     check(&all, NULL);
 }
 
 static void uniaxial_runs_below_a_table_are_told(void **state)
 {
-    made all;
+    runs_made all;
     make(&all, state, UNIAXIAL, FLOW_HEAD "20,6,0.4\n54.8,13,0.7\n", "locus: lab.csv");
-    write_result(&all, 0, "/summary.json",
-                 "{\"flow_function\": [{\"consolidation_stress_Pa\": 20000, \"sigma_1_Pa\": "
-                 "15000, \"sigma_c_Pa\": 5000}, {\"consolidation_stress_Pa\": 54800, "
-                 "\"sigma_1_Pa\": 54000, \"sigma_c_Pa\": 11000}]}");
-    write_result(&all, 1, "/summary.json",
-                 "{\"flow_function\": [{\"consolidation_stress_Pa\": 20000, \"sigma_1_Pa\": "
-                 "18500, \"sigma_c_Pa\": 5000}, {\"consolidation_stress_Pa\": 54800, "
-                 "\"sigma_1_Pa\": 54000, \"sigma_c_Pa\": 11000}]}");
+    runs_write(&all, 0, "/summary.json",
+               "{\"flow_function\": [{\"consolidation_stress_Pa\": 20000, \"sigma_1_Pa\": "
+               "15000, \"sigma_c_Pa\": 5000}, {\"consolidation_stress_Pa\": 54800, "
+               "\"sigma_1_Pa\": 54000, \"sigma_c_Pa\": 11000}]}");
+    runs_write(&all, 1, "/summary.json",
+               "{\"flow_function\": [{\"consolidation_stress_Pa\": 20000, \"sigma_1_Pa\": "
+               "18500, \"sigma_c_Pa\": 5000}, {\"consolidation_stress_Pa\": 54800, "
+               "\"sigma_1_Pa\": 54000, \"sigma_c_Pa\": 11000}]}");
     check(
         &all,
         "1 run of test lab had sigma_1 of 15 kPa, and the table of target lab: sigma_c at 20 kPa has 20 to 54.8 kPa: they are compared by an extrapolation. Add measured rows at such stresses, or consolidate the test at another one.");
