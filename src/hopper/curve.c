@@ -24,7 +24,7 @@ bool clod_curve_has_errors(const clod_curve *self)
     bool all = self->count > 0;
     for (size_t i = 0; i < self->count; i++) {
         const clod_curve_point *point = &self->points[i];
-        all = all && (point->x_error > 0.0 || point->y_error > 0.0 || point->spread != NULL);
+        all = all && (point->y_error > 0.0 || point->spread != NULL);
     }
     return all;
 }

@@ -75,7 +75,7 @@ typedef struct clod_curve {
     clod_curve_misfit misfit; ///< of a line
 } clod_curve;
 
-/** Whether all points have an error, or specimens that tell it, be it 0; a curve of no points has none. */
+/** Whether all points have an error of y, or specimens that tell it, be it 0; a curve of no points has none. */
 bool clod_curve_has_errors(const clod_curve *self);
 
 /** Sort the points. */

@@ -279,7 +279,8 @@ static void warn_rathole(clod_hopper *self)
 /** Few specimens, whose scatter is hardly known. */
 static void warn_few(clod_hopper *self, const char *test, const clod_curve *curve)
 {
-    const char *what = curve->specimens > 0 ? "specimens" : "repeats";
+    const bool repeats = curve->specimens == 0 && curve->test == CLOD_CURVE_WALL;
+    const char *what = repeats ? "repeats" : "specimens";
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
         const size_t freedom = curve->points[i].by_line ? 0 : curve->points[i].freedom;

@@ -38,9 +38,9 @@ void clod_doubts_measured(clod_hopper *self);
 
 /**
  * Note how the line of the flow function fits its points: which have no errors to weigh by, and where it misses them, with
- * the outlets by the other curve.
+ * the outlets by the other curve; and where points of a wall lie off a line by more than their errors.
  *
- * Test  tests/hopper/test_line.py
+ * Test  tests/hopper/test_line.py, test_untold.py
  */
 void clod_doubts_line(clod_hopper *self);
 

@@ -74,7 +74,7 @@ static void put_other(const clod_hopper *self, char text[256])
         cone, wedge);
 }
 
-/** The point that a line misses by most of its errors. */
+/** The point that the line of a misfit misses by most of its errors. */
 static const clod_curve_point *worst_of(const clod_curve *curve, double *most)
 {
     const clod_curve_line *line = &curve->misfit.line;
@@ -90,6 +90,16 @@ static const clod_curve_point *worst_of(const clod_curve *curve, double *most)
     return worst;
 }
 
+/** The chance of a misfit, for print. */
+static const char *chance_of(const clod_curve_misfit *misfit, char text[32])
+{
+    if (misfit->chance < 0.001) {
+        return "below 0.001";
+    }
+    snprintf(text, 32, "%.3f", misfit->chance);
+    return text;
+}
+
 static void warn_misfit(clod_hopper *self)
 {
     const clod_curve *curve = &self->solid.strength;
@@ -97,26 +107,46 @@ static void warn_misfit(clod_hopper *self)
     if (!clod_line_fit_misses(misfit)) {
         return;
     }
-    char other[256], chance[32] = "below 0.001";
+    char other[256], chance[32];
     double most;
     const clod_curve_point *worst = worst_of(curve, &most);
     put_other(self, other);
-    if (misfit->chance >= 0.001) {
-        snprintf(chance, sizeof chance, "%.3f", misfit->chance);
-    }
     clod_warning_list_add(
         &self->warnings,
         "Flow function: the line misses its points by more than their errors tell, most at sigma_1 %.6g kPa, "
         "by %.1f of them: chi-square %.1f, degrees of freedom %zu, p %s. Either it is curved, or errors are larger "
         "than stated. Errors of the line are taken as %.1f times as large.%s",
-        1e-3 * worst->x, most, misfit->chi_square, misfit->freedom, chance, misfit->stretch,
-        other);
+        1e-3 * worst->x, most, misfit->chi_square, misfit->freedom, chance_of(misfit, chance),
+        misfit->stretch, other);
+}
+
+/** Errors that are stated for a wall, and smaller than its points scatter by: of a curved wall, or of a reading alone. */
+static void warn_wall(clod_hopper *self)
+{
+    clod_curve line = self->solid.wall; // whose points have no weight in it
+    line.way = CLOD_CURVE_LINE;
+    clod_line_fit_weigh(&line);
+    const clod_curve_misfit *misfit = &line.misfit;
+    if (misfit->specimens > 0 || !clod_line_fit_misses(misfit)) {
+        return;
+    }
+    char chance[32];
+    double most;
+    const clod_curve_point *worst = worst_of(&line, &most);
+    clod_warning_list_add(
+        &self->warnings,
+        "Wall yield locus: its points lie further off a line than their errors tell, most at sigma_w %.6g kPa, by %.1f of "
+        "them: chi-square %.1f, degrees of freedom %zu, p %s. Either the wall is curved, or the errors are too small, those "
+        "of a reading for instance. Intervals take them as stated. If it is not curved, leave tau_w_error out: then the "
+        "scatter of the points is their error.",
+        1e-3 * worst->x, most, misfit->chi_square, misfit->freedom, chance_of(misfit, chance));
 }
 
 void clod_doubts_line(clod_hopper *self)
 {
     warn_unweighted(self);
     warn_misfit(self);
+    warn_wall(self);
 }
 
 /** Stress at which the strength has fallen to 0, below the smallest measured one; NAN: it has not. */

@@ -120,16 +120,12 @@ static double joint(const clod_draw *self, uint64_t item, const clod_curve_point
     return sum;
 }
 
-/** What moves y of a point by itself. */
-static double own(const clod_draw *self, uint64_t item, const clod_curve *curve, size_t i,
-                  uint64_t draw)
+/** What errors of a point are larger by than their size as estimated; 1: it is known, or specimens have it. */
+static double scale_by_itself(const clod_draw *self, uint64_t item, const clod_curve *curve,
+                              const clod_curve_point *from)
 {
-    const clod_curve_point *from = &curve->points[i];
-    const bool repeats = from->spread == NULL && from->freedom > 0;
     const uint64_t of_scale = OF_TEST(curve->test) + OF_SET(from->set);
-    return unshared(from->y_error, from->spread, curve->specimens) *
-           (repeats ? scale_of(self, item, of_scale, from->freedom) : 1.0) *
-           normal(self, item, draw);
+    return from->spread == NULL ? scale_of(self, item, of_scale, from->freedom) : 1.0;
 }
 
 /** Draw the points of a curve; `draw` is the next number of points. */
@@ -139,9 +135,12 @@ static void draw_curve(const clod_draw *self, uint64_t item, const clod_curve *m
     for (size_t i = 0; i < measured->count; i++, *draw += 4) {
         const clod_curve_point *from = &measured->points[i];
         const uint64_t of_x = from->row > 0 ? OF_ROW + 2 * from->row : *draw;
-        const double x = unshared(from->x_error, from->x_spread, measured->specimens);
-        const double y =
-            from->joint ? joint(self, item, from) : own(self, item, measured, i, *draw + 2);
+        const double scale = scale_by_itself(self, item, measured, from);
+        const double x = unshared(from->x_error, from->x_spread, measured->specimens) *
+                         (from->row > 0 ? scale : 1.0);
+        const double alone = unshared(from->y_error, from->spread, measured->specimens);
+        const double y = scale * (from->joint ? joint(self, item, from)
+                                              : alone * normal(self, item, *draw + 2));
         curve->points[i].x =
             fmax(LEAST_PART * from->x, from->x + x * normal(self, item, of_x) +
                                            together(self, measured, from->set, from->x_spread));

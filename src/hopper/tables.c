@@ -17,6 +17,8 @@
 #include "hopper/tables_note.h"
 #include "hopper/wall.h"
 
+#define MANY 1000 ///< specimens: they tell their scatter as good as exactly
+
 typedef clod_loci_row row;
 
 #define ROW(field) .offset = offsetof(row, field)
@@ -180,6 +182,7 @@ static bool take(const row *rows, size_t count, size_t offset, clod_curve *curve
         point.x_error = rows[i].strength.x_error;
         point.x_spread = rows[i].strength.x_spread;
         point.row = i + 1;
+        point.set = i;
         if (point.y > 0.0 || offset == offsetof(row, strength)) {
             curve->points[curve->count++] = point;
         }
@@ -201,6 +204,10 @@ static void take_origin(row *at, clod_tables_notes *notes)
     const bool has_errors = at->strength.x_error > 0.0;
     (void)clod_loci_join(at); // they were checked line by line
     at->strength.unsure = at->strength.joint || at->seeds > 0;
+    clod_curve_point *const points[] = {&at->strength, &at->phi_e, &at->phi_t, &at->rho};
+    for (size_t k = 0; k < sizeof points / sizeof points[0]; k++) {
+        points[k]->freedom = at->seeds > 1 && at->seeds <= MANY ? (size_t)at->seeds - 1 : 0;
+    }
     notes->preshear_untold =
         notes->preshear_untold || (at->tau_p > 0.0 && at->tau_p_error == 0.0 && has_errors);
 }

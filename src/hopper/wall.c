@@ -154,7 +154,7 @@ static double scatter_of(const clod_curve *curve, double *work)
     return scatter > ROUND_OFF * largest ? scatter : 0.0;
 }
 
-/** Points without an error have that of the scatter of all about their line: one number, of one scale. */
+/** Points without an error of tau have that of the scatter of all about their line: one number, of one scale. */
 static bool take_scatter(clod_curve *curve)
 {
     double *work = clod_memory_alloc(2 * curve->count, sizeof *work);
@@ -162,7 +162,7 @@ static bool take_scatter(clod_curve *curve)
     size_t first = curve->count;
     for (size_t i = 0; i < curve->count && scatter > 0.0; i++) {
         clod_curve_point *point = &curve->points[i];
-        if (point->x_error == 0.0 && point->y_error == 0.0 && point->spread == NULL) {
+        if (point->y_error == 0.0 && point->spread == NULL) {
             first = first < i ? first : i;
             point->y_error = scatter;
             point->freedom = curve->count - 2;

@@ -1,6 +1,7 @@
-"""A half angle that is given, beside a wall or a limit whose error nothing tells: samples do not make it sure."""
+"""A half angle that is given, beside a wall or a limit whose error nothing tells: samples do not make it sure. Errors of a wall that tell less than its points."""
 
 import os
+import statistics
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -63,6 +64,33 @@ class Untold(hopper_case.Case):
         below = self.found("--set", "cone={half_angle: 21.5 deg, outlet: 20 mm}")
         said, = [text for text in below["warnings"] if text.startswith("Cone: the outlet of 20 mm is below")]
         self.assertRegex(said, r"^Cone: the outlet of 20 mm is below the critical one, [0-9.]+ mm: as measured [a-z ]+\.$")
+
+    def test_an_error_of_the_normal_stress_tells_none_of_the_shear_stress(self):
+        """Intervals as without it, but for what it adds, 0.36 of 1 Pa beside 16."""
+        self.wall(FIVE)
+        whole = self.found()["cone"]["limit_deg"]
+        rows = FIVE.replace(HEAD, "").split()
+        self.write("wall.csv", HEAD.strip() + ",sigma_w_error [kPa]\n" + "".join(f"{row},0.001\n" for row in rows))
+        found = self.found()
+        for end in ("value", "low", "high"):
+            self.assertAlmostEqual(found["cone"]["limit_deg"][end], whole[end], delta=0.1)
+        self.assertTrue([text for text in found["warnings"] if "points without an error get" in text])
+
+    def test_errors_of_a_reading_are_told(self):
+        """The five points are off their line by -7, -10, 4, 23 and -11 Pa, s = 16: 1 Pa does not explain that, 20 Pa do."""
+        rows = FIVE.replace(HEAD, "").split()
+        for error, told in ((0.001, 1), (0.02, 0)):
+            self.wall(HEAD.strip() + ",tau_w_error [kPa]\n" + "".join(f"{row},{error}\n" for row in rows))
+            said = [text for text in self.found()["warnings"] if "lie further off a line than their errors tell" in text]
+            self.assertEqual(len(said), told)
+            for text in said:
+                sigma = [float(row.split(",")[0]) for row in rows]
+                tau = [float(row.split(",")[1]) for row in rows]
+                slope, start = statistics.linear_regression(sigma, tau)
+                off = [(y - start - slope * x) / error for x, y in zip(sigma, tau)]
+                worst = max(range(5), key=lambda i: abs(off[i]))
+                self.assertIn(f"most at sigma_w {sigma[worst]:g} kPa, by {abs(off[worst]):.1f} of them: "
+                              f"chi-square {sum(x * x for x in off):.1f}, degrees of freedom 3, p below 0.001.", text)
 
     def test_a_limit_without_its_error(self):
         """A half angle just below a limit of a chart, which may be read wrongly; with its error samples tell how often."""
