@@ -96,6 +96,24 @@ class Joint(hopper_case.Case):
         self.write("table.csv", clod.run("locus", clod.source("cases/lab-to-outlet/shear.csv"), "--csv", cwd=self.folder).stdout)
         self.assertIs(self.found()["flow_function_line"]["weighted"], False)
 
+    def test_three_seeds_tell_their_scatter_roughly(self):
+        """5 % of Student's t of 2 lie above 2.920, of a normal distribution above 1.645; one error, so small that all is linear in it, and
+        intervals are wider by that ratio, 1.775, as far as the samples tell."""
+        self.write("case.yaml", "flow_function: {file: table.csv}\nwall_friction: {angle: 18 deg}\n")
+        head = "sigma_1 [kPa],f_c [kPa],%s [kPa],phi_e [deg],rho_b [kg/m3]%s\n"
+        few = "the intervals rest on the scatter of 3 specimens"
+        for error in ("f_c_error", "sigma_1_error"):
+            width = []
+            for more, cell, told in (("", "", 0), (",seeds", ",3", 1), (",seeds", ",1", 0), (",seeds", ",1000000000000", 0)):
+                self.write("table.csv", head % (error, more) + f"3,1.2,0.01,45,1250{cell}\n10,2.6,0,45,1350{cell}\n")
+                found = json.loads(clod.run("hopper", "case.yaml", "--json", "--set", "interval.samples=4000", cwd=self.folder).stdout)
+                outlet = found["cone"]["outlet_m"]
+                width.append(outlet["high"] - outlet["low"])
+                self.assertEqual(len([text for text in found["warnings"] if few in text]), told)
+            self.assertAlmostEqual(width[1] / width[0], 2.920 / 1.645, delta=0.2)
+            self.assertAlmostEqual(width[2], width[0])
+            self.assertAlmostEqual(width[3], width[0])
+
     def test_the_json_of_loci_has_the_correlations(self):
         table = self.points().splitlines()
         loci = json.loads(clod.run("locus", "points.csv", "--json", cwd=self.folder).stdout)["loci"]
