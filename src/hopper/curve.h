@@ -78,6 +78,9 @@ typedef struct clod_curve {
 /** Whether all points have an error of y, or specimens that tell it, be it 0; a curve of no points has none. */
 bool clod_curve_has_errors(const clod_curve *self);
 
+/** The error of y that was stated, 0: none; not what points scatter by. */
+double clod_curve_stated(const clod_curve_point *point);
+
 /** Sort the points. */
 void clod_curve_sort(clod_curve *self);
 
