@@ -19,7 +19,7 @@ static void warn_large_error(clod_hopper *self, const clod_curve *curve, const c
 {
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i];
-        if (p->y > 0.0 && p->y_error >= p->y && !p->by_line) {
+        if (p->y > 0.0 && p->y_error >= p->y && p->by_line == 0.0) {
             char at[40] = ""; // a single value is that of any stress
             if (curve->count > 1) {
                 snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * p->x);
@@ -191,13 +191,13 @@ static void warn_by_line(clod_hopper *self, const clod_curve *curve, const char 
 {
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i];
-        if (p->by_line) {
+        if (p->by_line > 0.0) {
             clod_warning_list_add(
                 &self->warnings,
                 "%s: points without an error get what the %zu points scatter by about their line, "
                 "%.3g kPa, drawn from Student's t of %zu degree%s of freedom: so few tell it roughly. More points, "
                 "or %s narrower.",
-                what, curve->count, 1e-3 * p->y_error, p->freedom, p->freedom == 1 ? "" : "s",
+                what, p->freedom + 2, 1e-3 * p->by_line, p->freedom, p->freedom == 1 ? "" : "s",
                 more);
             return;
         }
@@ -302,7 +302,7 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
     const char *what = repeats ? "repeats" : "specimens";
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        const size_t freedom = curve->points[i].by_line ? 0 : curve->points[i].freedom;
+        const size_t freedom = curve->points[i].by_line > 0.0 ? 0 : curve->points[i].freedom;
         least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
     }
     if (least > 0 && least < FEW) {

@@ -193,23 +193,23 @@ typedef struct falling {
     const char *weaker;
 } falling;
 
-/** What is stated for a point, or of several their error. */
-static double error_of(const clod_curve_point *mean, size_t repeats)
+/** The property at one stress, by all repeats, with the error that is stated or that they tell. */
+static clod_curve_point property_at(const clod_curve *curve, size_t first, size_t end)
 {
-    return repeats > 1 ? mean->y_error : clod_curve_stated(mean);
+    clod_curve_point mean = clod_repeats_mean(curve, first, end);
+    mean.y_error = fmax(clod_curve_stated(&mean), clod_repeats_scatter(curve, first, end));
+    return mean;
 }
 
 /** Stresses from which a property that consolidation raises falls to the next, by more than its errors. */
 static void warn_falls(clod_hopper *self, const clod_curve *curve, const falling *of)
 {
-    const size_t begin = clod_repeats_end(curve, 0);
-    clod_curve_point p = clod_repeats_mean(curve, 0, begin), q;
-    size_t repeats = begin;
-    for (size_t first = begin, end; first < curve->count;
-         repeats = end - first, first = end, p = q) {
-        end = clod_repeats_end(curve, first);
-        q = clod_repeats_mean(curve, first, end);
-        const double error = hypot(error_of(&p, repeats), error_of(&q, end - first));
+    size_t next = clod_repeats_end(curve, 0);
+    clod_curve_point p = property_at(curve, 0, next), q;
+    for (size_t first = next; first < curve->count; first = next, p = q) {
+        next = clod_repeats_end(curve, first);
+        q = property_at(curve, first, next);
+        const double error = hypot(p.y_error, q.y_error);
         if (p.y - q.y > fmax(FIRM * error, CLOD_DOUBTS_APART * p.y)) {
             clod_warning_list_add(
                 &self->warnings,

@@ -23,7 +23,7 @@ static size_t freedom_of(const clod_curve *curve)
 {
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        const size_t freedom = curve->points[i].by_line ? 0 : curve->points[i].freedom;
+        const size_t freedom = curve->points[i].by_line > 0.0 ? 0 : curve->points[i].freedom;
         least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
     }
     return least;

@@ -35,7 +35,7 @@ bool clod_scatter_take(clod_curve *curve)
             point->y_error = scatter;
             point->freedom = curve->count - 2;
             point->set = first->set;
-            point->by_line = true;
+            point->by_line = scatter;
             point->joint = false; // its own error had no part in those of its row
         }
     }

@@ -12,6 +12,6 @@
  *
  * @param curve  [in, out] its points' `set` is told
  * @return       false: no memory
- * Errors  none.   Threads  pure.   Source  docs/theory/hopper.md.   Test  tests/hopper/test_wall.c, test_scatter.py
+ * Errors  none.   Threads  pure.   Source  docs/theory/hopper.md.   Test  tests/hopper/test_wall.c, test_strength.py
  */
 bool clod_scatter_take(clod_curve *curve);
