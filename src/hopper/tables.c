@@ -384,8 +384,9 @@ static bool read_wall(const clod_hopper_property *from, clod_curve *wall,
 }
 
 /** Errors of strengths that state none; and where the curve goes from point to point, one point for repeats. */
-static bool take_scatter(clod_curve *strength, clod_status *status)
+static bool take_scatter(clod_curve *strength, clod_tables_notes *notes, clod_status *status)
 {
+    clod_repeats_warn(strength, notes->warnings);
     const bool good =
         clod_scatter_take(strength) ||
         clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", strength->count);
@@ -419,8 +420,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_sort(&solid->curves[k]);
     }
-    clod_repeats_warn(&solid->strength, notes->warnings);
-    if (!take_scatter(&solid->strength, status)) {
+    if (!take_scatter(&solid->strength, notes, status)) {
         return false;
     }
     clod_line_fit_weigh(&solid->strength);
@@ -430,7 +430,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     }
     const bool good =
         clod_storage_read(stored, !from->phi_t.present, solid, notes->warnings, status) &&
-        take_scatter(&solid->strength, status);
+        take_scatter(&solid->strength, notes, status);
     clod_line_fit_weigh(&solid->strength);
     return good;
 }

@@ -13,6 +13,7 @@ from hopper_case import clod
 
 HEAD = "sigma_1 [kPa],f_c [kPa]\n"
 NINE = [(2, 0.8), (2, 1.0), (2, 1.2), (4, 1.3), (4, 1.6), (4, 1.9), (8, 2.0), (8, 2.5), (8, 3.0)]
+FOUR = [(2, 1.0), (4, 1.7), (8, 2.3), (16, 4.2)]
 TWO = [(2, 1.0), (8, 2.5)]
 REST = """wall_friction: {angle: 20 deg}
 effective_friction: {angle: 45 deg}
@@ -79,7 +80,6 @@ class Strength(hopper_case.Case):
         self.assertEqual(len(self.said(found, "Without errors, and so not part of the intervals: flow function")), 1)
 
     def test_the_scatter_is_the_error(self):
-        """All things but f_c are exact and constant, so the outlet is in proportion to the critical strength."""
         found = self.design(NINE)
         s = scatter_of(NINE)
         said, = self.said(found, "points without an error get")
@@ -93,14 +93,18 @@ class Strength(hopper_case.Case):
         self.assertFalse(line["weighted"])
         self.assertIsNone(line["chi_square"])  # it would be 7 of 7
         self.assertEqual(line["errors_times"], 1)
-        done = clod.run("hopper", "case.yaml", "--json", *MANY, cwd=self.folder)
-        many = json.loads(done.stdout)
-        for shape in ("cone", "wedge"):
-            outlet = many[shape]["outlet_m"]
-            low, high = drawn(NINE, many[shape])
-            self.assertAlmostEqual(outlet["low"] / outlet["value"], low, delta=0.05)
-            self.assertAlmostEqual(outlet["high"] / outlet["value"], high, delta=0.05)
-            self.assertAlmostEqual(many[shape]["outlet_variance_shares"]["flow_function"], 1, delta=0.02)
+
+    def test_intervals_are_those_of_a_line_by_students_t(self):
+        """All things but f_c are exact and constant, so the outlet is in proportion to the critical strength."""
+        for points in (NINE, FOUR):
+            self.design(points)
+            done = clod.run("hopper", "case.yaml", "--json", *MANY, cwd=self.folder)
+            for shape in ("cone", "wedge"):
+                found = json.loads(done.stdout)[shape]
+                outlet = found["outlet_m"]
+                for end, ratio in zip(("low", "high"), drawn(points, found)):
+                    self.assertAlmostEqual(outlet[end] / outlet["value"], ratio, delta=3.5 * outlet[end + "_error"] / outlet["value"], msg=end)
+                self.assertAlmostEqual(found["outlet_variance_shares"]["flow_function"], 1, delta=0.02)
 
     def test_an_error_of_sigma_1_tells_none_of_f_c(self):
         whole = self.design(NINE)["cone"]["outlet_m"]
@@ -177,6 +181,8 @@ class Strength(hopper_case.Case):
         self.write("stored.csv", HEAD + "".join(f"{x},{y}\n" for x, y in stored))
         said, = self.said(self.design(TWO, case=case), "points without an error get")
         self.assertIn(f"what the 4 points scatter by about their line, {scatter_of(stored):.3g} kPa", said)
+        self.write("stored.csv", HEAD + "2,1.6\n8,4.0\n8,6.0\n")
+        self.assertEqual(len(self.said(self.design(NINE, case=case), "2 repeats at a sigma_1 of 8 kPa have f_c from 4 to 6 kPa")), 1)
 
     def test_yield_loci_of_two_points(self):
         """Two of them tell nothing; three scatter about a line of strengths."""
