@@ -29,6 +29,11 @@ bool clod_curve_has_errors(const clod_curve *self)
     return all;
 }
 
+double clod_curve_stated(const clod_curve_point *point)
+{
+    return point->by_line > 0.0 ? 0.0 : point->y_error;
+}
+
 void clod_curve_sort(clod_curve *self)
 {
     if (self->count > 1) {

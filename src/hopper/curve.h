@@ -23,9 +23,10 @@ typedef struct clod_curve_point {
                  ///< from the scatter about a line; 0: its size is known
     size_t set; ///< of specimens: points of one set have some in common, or a chain of them; of
                 ///< errors with freedom: those of one set have one scale
-    bool by_line; ///< y_error is what all points scatter by about their line, none was given
-    size_t row;   ///< of the table, from 1 on: curves of one row have one x; 0: none
-    bool joint;   ///< whether y moves with x and the others of its row
+    double
+        by_line; ///< standard deviation of all points about their line, which y_error comes of; 0: it was stated
+    size_t row; ///< of the table, from 1 on: curves of one row have one x; 0: none
+    bool joint; ///< whether y moves with x and the others of its row
     double
         part[CLOD_CURVE_JOINT]; ///< then: move of y per standard normal number of its row, the
                                 ///< first of which moves x; y_error is all of it
@@ -77,6 +78,9 @@ typedef struct clod_curve {
 
 /** Whether all points have an error of y, or specimens that tell it, be it 0; a curve of no points has none. */
 bool clod_curve_has_errors(const clod_curve *self);
+
+/** The error of y that was stated, 0: none; not what points scatter by. */
+double clod_curve_stated(const clod_curve_point *point);
 
 /** Sort the points. */
 void clod_curve_sort(clod_curve *self);

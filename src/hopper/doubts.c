@@ -19,7 +19,7 @@ static void warn_large_error(clod_hopper *self, const clod_curve *curve, const c
 {
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i];
-        if (p->y > 0.0 && p->y_error >= p->y && !p->by_line) {
+        if (p->y > 0.0 && p->y_error >= p->y && p->by_line == 0.0) {
             char at[40] = ""; // a single value is that of any stress
             if (curve->count > 1) {
                 snprintf(at, sizeof at, " at %.6g kPa", 1e-3 * p->x);
@@ -185,21 +185,39 @@ static void warn_no_interval(clod_hopper *self)
               "a line tells it");
 }
 
-/** Errors of a wall that are the scatter of its points. */
-static void warn_by_line(clod_hopper *self)
+/** Errors that are the scatter of the points. @param more  what makes which interval narrower */
+static void warn_by_line(clod_hopper *self, const clod_curve *curve, const char *what,
+                         const char *more)
 {
-    const clod_curve *wall = &self->solid.wall;
-    for (size_t i = 0; i < wall->count; i++) {
-        const clod_curve_point *p = &wall->points[i];
-        if (p->by_line) {
+    for (size_t i = 0; i < curve->count; i++) {
+        const clod_curve_point *p = &curve->points[i];
+        if (p->by_line > 0.0) {
             clod_warning_list_add(
                 &self->warnings,
-                "Wall yield locus: points without an error get what the %zu points scatter by about their line, "
+                "%s: points without an error get what the %zu points scatter by about their line, "
                 "%.3g kPa, drawn from Student's t of %zu degree%s of freedom: so few tell it roughly. More points, "
-                "or tau_w_error, make the interval of the half angle narrower.",
-                wall->count, 1e-3 * p->y_error, p->freedom, p->freedom == 1 ? "" : "s");
+                "or %s narrower.",
+                what, p->freedom + 2, 1e-3 * p->by_line, p->freedom, p->freedom == 1 ? "" : "s",
+                more);
             return;
         }
+    }
+}
+
+/** Outlets whose interval nobody knows, since the flow function has no errors. */
+static void warn_no_outlet(clod_hopper *self)
+{
+    if (!clod_told_strength(self)) {
+        clod_warning_list_add(
+            &self->warnings,
+            "How much wider than the critical outlet, or the rathole, to build is not known, since the flow function "
+            "has no errors, or not at all points: critical outlet, rathole and stress over strength have no "
+            "interval, shares of the samples but those of funnel flow are not known, and other intervals leave that "
+            "out. Give %s: their scatter about a line tells it.",
+            self->from.strength.file != NULL
+                ? "f_c_error, or strengths at three consolidation stresses or more, or repeats"
+                : "three shear points or more to each yield locus, or yield loci at three consolidation stresses "
+                  "or more");
     }
 }
 
@@ -212,7 +230,8 @@ static void warn_errors(clod_hopper *self, bool preshear_untold)
     char list[240] = "";
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         const clod_curve *curve = &self->solid.curves[k];
-        if (k == CLOD_SOLID_WALL ? !clod_curve_has_errors(curve) : !has_errors(curve)) {
+        const bool decides = k == CLOD_SOLID_STRENGTH || k == CLOD_SOLID_WALL;
+        if (decides ? !clod_curve_has_errors(curve) : !has_errors(curve)) {
             const size_t used = strlen(list);
             snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "", NAMES[k]);
         }
@@ -283,7 +302,7 @@ static void warn_few(clod_hopper *self, const char *test, const clod_curve *curv
     const char *what = repeats ? "repeats" : "specimens";
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        const size_t freedom = curve->points[i].by_line ? 0 : curve->points[i].freedom;
+        const size_t freedom = curve->points[i].by_line > 0.0 ? 0 : curve->points[i].freedom;
         least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
     }
     if (least > 0 && least < FEW) {
@@ -307,7 +326,14 @@ void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes)
     warn_errors(self, notes->preshear_untold);
     warn_few(self, "Yield loci", &self->solid.strength);
     warn_few(self, "Wall yield locus", &self->solid.wall);
-    warn_by_line(self);
+    warn_by_line(
+        self, &self->solid.strength, "Flow function",
+        self->from.strength.file != NULL
+            ? "f_c_error, make the interval of the outlet"
+            : "more shear points to each yield locus, make the interval of the outlet");
+    warn_by_line(self, &self->solid.wall, "Wall yield locus",
+                 "tau_w_error, make the interval of the half angle");
+    warn_no_outlet(self);
     warn_no_interval(self);
     if (notes->one_specimen) {
         clod_warning_list_add(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");

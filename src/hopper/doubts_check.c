@@ -96,7 +96,7 @@ static double scatter_of(const clod_curve *wall)
 /** The error of a point of a wall, that of one specimen alone included; not what it scatters by itself. */
 static double error_of(const clod_curve_point *p, double scatter)
 {
-    const double stated = p->by_line ? 0.0 : p->y_error;
+    const double stated = clod_curve_stated(p);
     return p->spread != NULL ? stated : fmax(stated, scatter * p->y);
 }
 

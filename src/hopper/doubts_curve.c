@@ -22,7 +22,7 @@ static void warn_unweighted(clod_hopper *self)
     const clod_curve_point *without = NULL;
     bool some = false;
     for (size_t i = 0; i < curve->count; i++) {
-        const bool has = curve->points[i].y_error > 0.0;
+        const bool has = clod_curve_stated(&curve->points[i]) > 0.0;
         some = some || has;
         without = !has && without == NULL ? &curve->points[i] : without;
     }

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "hopper/doubts.h"
+#include "hopper/repeats.h"
 
 #define DEGREE (M_PI / 180.0)
 #define LEAST_TEST                                                                             \
@@ -48,23 +49,26 @@ static void warn_unit(clod_hopper *self, const clod_curve *curve, const char *wh
 /** Whether a strength is above what consolidated the solid. */
 static bool is_above_stress(const clod_curve_point *p)
 {
-    return p->y - FIRM * p->y_error > p->x;
+    return p->y - FIRM * clod_curve_stated(p) > p->x;
 }
 
 /** Points of a flow function that no tester gives: wrong units or columns, as a rule. */
 static void warn_strength(clod_hopper *self)
 {
     const clod_curve *curve = &self->solid.strength;
+    const clod_hopper_strength *from = &self->from.strength;
+    const char *unit = from->file != NULL || from->after_storage != NULL
+                           ? " Is its unit another one, Pa under a header in kPa for instance?"
+                           : ""; // it comes of points
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *p = &curve->points[i];
-        const double ffc = p->x / (p->y + FIRM * p->y_error);
+        const double ffc = p->x / (p->y + FIRM * clod_curve_stated(p));
         if (p->y > 0.0 && ffc > MOST_FFC) {
             clod_warning_list_add(
                 &self->warnings,
                 "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa, ffc %.0f. No tester tells "
-                "so little strength. Is its unit another one, Pa under a header in kPa for "
-                "instance?",
-                1e-3 * p->y, 1e-3 * p->x, p->x / p->y);
+                "so little strength.%s",
+                1e-3 * p->y, 1e-3 * p->x, p->x / p->y, unit);
         }
         if (is_above_stress(p)) {
             clod_warning_list_add(
@@ -109,7 +113,7 @@ static void warn_beside_friction(clod_hopper *self)
         const clod_curve_point *p = &curve->points[i];
         const bound at = most_strength(&self->solid, p);
         const double allowed =
-            fmax(FIRM * hypot(p->y_error, at.error), CLOD_DOUBTS_APART * at.value);
+            fmax(FIRM * hypot(clod_curve_stated(p), at.error), CLOD_DOUBTS_APART * at.value);
         if (!is_above_stress(p) && p->y - at.value > allowed && p->y / at.value > most) {
             worst = p;
             most = p->y / at.value;
@@ -189,20 +193,30 @@ typedef struct falling {
     const char *weaker;
 } falling;
 
-/** Points from which a property that consolidation raises falls to the next, by more than its errors. */
+/** The property at one stress, by all repeats, with the error that is stated or that they tell. */
+static clod_curve_point property_at(const clod_curve *curve, size_t first, size_t end)
+{
+    clod_curve_point mean = clod_repeats_mean(curve, first, end);
+    mean.y_error = fmax(clod_curve_stated(&mean), clod_repeats_scatter(curve, first, end));
+    return mean;
+}
+
+/** Stresses from which a property that consolidation raises falls to the next, by more than its errors. */
 static void warn_falls(clod_hopper *self, const clod_curve *curve, const falling *of)
 {
-    for (size_t i = 1; i < curve->count; i++) {
-        const clod_curve_point *p = &curve->points[i - 1];
-        const clod_curve_point *q = &curve->points[i];
-        const double error = hypot(p->y_error, q->y_error);
-        if (p->y - q->y > fmax(FIRM * error, CLOD_DOUBTS_APART * p->y)) {
+    size_t next = clod_repeats_end(curve, 0);
+    clod_curve_point p = property_at(curve, 0, next), q;
+    for (size_t first = next; first < curve->count; first = next, p = q) {
+        next = clod_repeats_end(curve, first);
+        q = property_at(curve, first, next);
+        const double error = hypot(p.y_error, q.y_error);
+        if (p.y - q.y > fmax(FIRM * error, CLOD_DOUBTS_APART * p.y)) {
             clod_warning_list_add(
                 &self->warnings,
                 "%s: %s falls from %.6g %s at sigma_1 %.6g kPa to %.6g %s at %.6g kPa, by more than its errors "
                 "tell. No solid gets %s by consolidation: are columns or rows interchanged?",
-                of->what, of->name, of->scale * p->y, of->unit, 1e-3 * p->x, of->scale * q->y,
-                of->unit, 1e-3 * q->x, of->weaker);
+                of->what, of->name, of->scale * p.y, of->unit, 1e-3 * p.x, of->scale * q.y,
+                of->unit, 1e-3 * q.x, of->weaker);
         }
     }
 }

@@ -182,8 +182,10 @@ static void warn_samples(clod_hopper *self, const char *name, const clod_hopper_
 {
     const double *share = found->share;
     const double tail = 0.5 * (1.0 - self->from.interval.level);
-    if (clod_hopper_is_mass_flow(&found->design) &&
-        1.0 - share[CLOD_HOPPER_FLOWS] - share[CLOD_HOPPER_NO_ARCH] > tail) {
+    const double without = isnan(share[CLOD_HOPPER_FLOWS])
+                               ? share[CLOD_HOPPER_FUNNEL] + share[CLOD_HOPPER_UNPROVEN]
+                               : 1.0 - share[CLOD_HOPPER_FLOWS] - share[CLOD_HOPPER_NO_ARCH];
+    if (clod_hopper_is_mass_flow(&found->design) && without > tail) {
         char told[CLOD_WORDS_MOST];
         clod_words_shares(found, told);
         clod_warning_list_add(

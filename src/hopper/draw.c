@@ -137,7 +137,7 @@ static void draw_curve(const clod_draw *self, uint64_t item, const clod_curve *m
         const uint64_t of_x = from->row > 0 ? OF_ROW + 2 * from->row : *draw;
         const double scale = scale_by_itself(self, item, measured, from);
         const double x = unshared(from->x_error, from->x_spread, measured->specimens) *
-                         (from->row > 0 ? scale : 1.0);
+                         (from->row > 0 && from->by_line == 0.0 ? scale : 1.0);
         const double alone = unshared(from->y_error, from->spread, measured->specimens);
         const double y = scale * (from->joint ? joint(self, item, from)
                                               : alone * normal(self, item, *draw + 2));

@@ -386,6 +386,11 @@ static void collect(const task *self, const rooms *all, clod_hopper *to)
                                     &to->rathole[h]);
     }
     put_interval(self, offsetof(sample, slot), room, &to->slot_width);
+    if (!clod_told_strength(to)) {
+        clod_told_no_interval(&to->rathole[CLOD_HOPPER_EMPTYING]);
+        clod_told_no_interval(&to->rathole[CLOD_HOPPER_FILLING]);
+        clod_told_no_interval(&to->slot_width);
+    }
 }
 
 bool clod_interval_fill(clod_hopper *self, clod_status *status)

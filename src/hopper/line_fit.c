@@ -23,7 +23,7 @@ static size_t freedom_of(const clod_curve *curve)
 {
     size_t least = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        const size_t freedom = curve->points[i].freedom;
+        const size_t freedom = curve->points[i].by_line > 0.0 ? 0 : curve->points[i].freedom;
         least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
     }
     return least;
@@ -33,7 +33,8 @@ static bool all_have_errors(const clod_curve *curve, double slope)
 {
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *point = &curve->points[i];
-        if (!(point->y_error > 0.0 && clod_line_fit_error(curve, point, slope) > 0.0)) {
+        if (!(clod_curve_stated(point) > 0.0 &&
+              clod_line_fit_error(curve, point, slope) > 0.0)) {
             return false;
         }
     }

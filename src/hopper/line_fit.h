@@ -14,7 +14,7 @@ double clod_line_fit_error(const clod_curve *curve, const clod_curve_point *poin
 
 /**
  * Weigh the points of a line by their errors, in y and across the line, and compare what is left with them.
- * Errors that are the scatter of specimens, or come of a yield locus, do not weigh: they are hardly known. Where the points lie further off than
+ * Errors that are the scatter of specimens, or of the points about a line, or come of a yield locus, do not weigh: they are hardly known. Where the points lie further off than
  * their errors, `stretch` is sqrt(chi_square/freedom); where specimens tell the errors, only if that is no chance.
  *
  * @param curve  [in, out] weights of its points and misfit; another way than a line is left as it is

@@ -62,7 +62,7 @@ static const clod_param STRENGTH[] = {
      CLOD_AT(clod_hopper_strength, curve),
      .help =
          "line: least squares through the points, weighted by their errors; points: straight "
-         "from point to point. Both go on beyond them.",
+         "from point to point, repeats as their mean. Both go on beyond them.",
      .source = THEORY},
     {.key = "after_storage",
      .kind = CLOD_PARAM_FILE,

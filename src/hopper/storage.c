@@ -15,7 +15,7 @@ static double error_near(const clod_curve *curve, double stress)
         const clod_curve_point *point = &curve->points[i];
         nearest = fabs(point->x - stress) < fabs(nearest->x - stress) ? point : nearest;
     }
-    return nearest->y_error;
+    return clod_curve_stated(nearest);
 }
 
 /** Strengths below those without storage, by more than their errors tell. */
@@ -25,7 +25,7 @@ static void warn_weaker(const clod_curve *stored, const clod_curve *at_once,
     for (size_t i = 0; i < stored->count; i++) {
         const clod_curve_point *point = &stored->points[i];
         const double strength = clod_curve_at(at_once, point->x);
-        const double error = hypot(point->y_error, error_near(at_once, point->x));
+        const double error = hypot(clod_curve_stated(point), error_near(at_once, point->x));
         if (point->y + 2.0 * error < 0.99 * strength) {
             clod_warning_list_add(
                 warnings,

@@ -6,12 +6,15 @@
 
 #include "analysis/bulk_density.h"
 #include "analysis/csv.h"
+#include "analysis/measured_header.h"
 #include "base/input.h"
 #include "base/memory.h"
 #include "clod/bulk_density.h"
 #include "clod/locus.h"
 #include "hopper/line_fit.h"
 #include "hopper/loci.h"
+#include "hopper/repeats.h"
+#include "hopper/scatter.h"
 #include "hopper/storage.h"
 #include "hopper/table_kind.h"
 #include "hopper/tables_note.h"
@@ -54,8 +57,9 @@ static const clod_csv_column FLOW[] = {
     PAIR(5, "correlation_phi_e_phi_lin", "correlation_phi_e_phi_t"),
 };
 
-/** Columns that clod locus --csv and a uniaxial test write and a hopper does not need. */
-static const char *const SKIPPED[] = {"points",
+/** Columns that clod locus --csv and a uniaxial test write and a hopper does not need; the number of a specimen. */
+static const char *const SKIPPED[] = {"seed",
+                                      "points",
                                       "r_squared",
                                       "flow",
                                       "sigma_p",
@@ -145,9 +149,17 @@ static const clod_csv_kind PHI_T_KIND =
     KIND(PHI_T, "sigma_1, phi_t, sigma_1_error, phi_t_error", "sigma_1 [kPa],phi_t [deg]",
          "phi_t point");
 
-/** Read a file of a kind; its rows are owned by the caller. */
+/** Whether a table has columns that a uniaxial test alone writes. */
+static bool is_uniaxial(const char *text, size_t length)
+{
+    return clod_measured_has(text, length, "strain_at_peak") ||
+           clod_measured_has(text, length, "sigma_c_base") ||
+           clod_measured_has(text, length, "consolidation_stress");
+}
+
+/** Read a file of a kind; its rows are owned by the caller. @param uniaxial [out] whether a uniaxial test made it */
 static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,
-                      clod_status *status)
+                      bool *uniaxial, clod_status *status)
 {
     *rows = NULL;
     *count = 0;
@@ -161,6 +173,7 @@ static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, 
                     .path = path,
                     .status = status};
     const bool good = clod_csv_parse(&csv, text, length);
+    *uniaxial = is_uniaxial(text, length);
     clod_memory_free(text);
     *rows = csv.rows;
     *count = csv.count;
@@ -217,7 +230,7 @@ static bool read_flow(const char *path, clod_solid *solid, clod_tables_notes *no
 {
     void *rows;
     size_t count;
-    bool good = read_file(path, &FLOW_KIND, &rows, &count, status);
+    bool good = read_file(path, &FLOW_KIND, &rows, &count, &notes->uniaxial, status);
     for (size_t i = 0; i < count; i++) {
         take_origin((row *)rows + i, notes);
     }
@@ -276,7 +289,8 @@ static bool read_angles(const char *path, const clod_csv_kind *kind, clod_curve 
                         clod_status *status)
 {
     void *rows;
-    const bool good = read_file(path, kind, &rows, &curve->count, status);
+    bool uniaxial;
+    const bool good = read_file(path, kind, &rows, &curve->count, &uniaxial, status);
     curve->points = rows;
     return good;
 }
@@ -369,6 +383,19 @@ static bool read_wall(const clod_hopper_property *from, clod_curve *wall,
     return true;
 }
 
+/** Errors of strengths that state none; and where the curve goes from point to point, one point for repeats. */
+static bool take_scatter(clod_curve *strength, clod_tables_notes *notes, clod_status *status)
+{
+    clod_repeats_warn(strength, notes->warnings);
+    const bool good =
+        clod_scatter_take(strength) ||
+        clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", strength->count);
+    if (strength->way == CLOD_CURVE_EXTENDED) {
+        clod_repeats_pool(strength);
+    }
+    return good;
+}
+
 bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status)
 {
@@ -376,6 +403,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     if (!clod_table_kind_check(from, status) || !read_strength(from, solid, notes, status)) {
         return false;
     }
+    clod_tables_note_uniaxial(from, notes);
     clod_tables_note_blanks(from, solid, notes);
     clod_tables_note_replaced(from, solid, notes);
     if (!read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
@@ -392,13 +420,17 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_sort(&solid->curves[k]);
     }
+    if (!take_scatter(&solid->strength, notes, status)) {
+        return false;
+    }
     clod_line_fit_weigh(&solid->strength);
     const char *stored = from->strength.after_storage;
     if (stored == NULL) {
         return true;
     }
     const bool good =
-        clod_storage_read(stored, !from->phi_t.present, solid, notes->warnings, status);
+        clod_storage_read(stored, !from->phi_t.present, solid, notes->warnings, status) &&
+        take_scatter(&solid->strength, notes, status);
     clod_line_fit_weigh(&solid->strength);
     return good;
 }

@@ -12,6 +12,7 @@
 typedef struct clod_tables_notes {
     bool one_specimen;           ///< whether a strength comes from a single specimen
     bool preshear_untold;        ///< whether the error of a tau_p is not known (clod/locus.h)
+    bool uniaxial;               ///< whether the flow function is that of a uniaxial test
     clod_warning_list *warnings; ///< those of yield loci and of wall yield loci
 } clod_tables_notes;
 

@@ -4,6 +4,18 @@
 
 #include "analysis/bulk_density.h"
 
+void clod_tables_note_uniaxial(const clod_hopper_case *from, clod_tables_notes *notes)
+{
+    if (notes->uniaxial) {
+        clod_warning_list_add(
+            notes->warnings,
+            "Flow function: %s has columns of a uniaxial test. Its strength is usually below that of a shear tester at "
+            "the same sigma_1 (docs/theory/uniaxial.md), to a third in a pair there, so outlets may come out far too "
+            "narrow. Design with yield loci of a shear tester.",
+            from->strength.file);
+    }
+}
+
 /** A column that is empty at the smallest stress: the value of the next one stands in for it. */
 static void warn_blank(const clod_solid *solid, const clod_curve *curve, const char *what,
                        double scale, const char *unit, clod_tables_notes *notes)

@@ -2,6 +2,11 @@
 
 #include <math.h>
 
+bool clod_told_strength(const clod_hopper *self)
+{
+    return clod_curve_has_errors(&self->solid.strength);
+}
+
 static bool has_wall(const clod_hopper *self)
 {
     return clod_curve_has_errors(&self->solid.wall);
@@ -31,11 +36,12 @@ static bool is_told(const clod_hopper *self, const clod_hopper_found *found,
         return found->wish.half_angle > 0.0 || has_limit(self, found);
     case CLOD_HOPPER_LIMIT:
         return has_limit(self, found);
-    case CLOD_HOPPER_PHI_W:
     case CLOD_HOPPER_DESIGN_PHI_W:
         return has_wall(self);
+    case CLOD_HOPPER_PHI_W:
+        return has_wall(self) && clod_told_strength(self);
     default:
-        return clod_told_is_sure(self, found);
+        return clod_told_is_sure(self, found) && clod_told_strength(self);
     }
 }
 
@@ -46,11 +52,13 @@ void clod_told_forget(const clod_hopper *self, clod_hopper_found *found)
             clod_told_no_interval(&found->number[n]);
         }
     }
-    if (clod_told_is_sure(self, found)) {
+    const bool sure = clod_told_is_sure(self, found);
+    if (sure && clod_told_strength(self)) {
         return;
     }
     for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
-        found->share[k] = (double)NAN;
+        const bool of_wall = k == CLOD_HOPPER_FUNNEL || k == CLOD_HOPPER_UNPROVEN;
+        found->share[k] = sure && of_wall ? found->share[k] : (double)NAN;
     }
     for (int q = 0; q < CLOD_HOPPER_QUANTILES; q++) {
         found->quantile[q] = (double)NAN;

@@ -3,14 +3,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "analysis/fit.h"
 #include "base/memory.h"
+#include "hopper/scatter.h"
 #include "hopper/specimens.h"
 
 #define SAME_STRESS 0.02 ///< relative: no further apart, two normal stresses are one
 #define ASKED 1e-6       ///< the same for those that were asked for, which are exact
-#define ROUND_OFF                                                                              \
-    1e-9 ///< of the shear stresses: points that scatter by less are on a line by construction
 
 /** A point and what it belongs to. */
 typedef struct item {
@@ -139,41 +137,6 @@ static void make_curve(const set *self, clod_curve *curve)
     }
 }
 
-/** Standard deviation of the points about their line; 0: it is not known. */
-static double scatter_of(const clod_curve *curve, double *work)
-{
-    const size_t n = curve->count;
-    double *x = work, *y = work + n, largest = 0.0;
-    for (size_t i = 0; i < n; i++) {
-        x[i] = curve->points[i].x;
-        y[i] = curve->points[i].y;
-        largest = fmax(largest, fabs(y[i]));
-    }
-    const double scatter =
-        n > 2 ? sqrt(clod_fit_line(x, y, n).residual / ((double)n - 2.0)) : 0.0;
-    return scatter > ROUND_OFF * largest ? scatter : 0.0;
-}
-
-/** Points without an error of tau have that of the scatter of all about their line: one number, of one scale. */
-static bool take_scatter(clod_curve *curve)
-{
-    double *work = clod_memory_alloc(2 * curve->count, sizeof *work);
-    const double scatter = work != NULL ? scatter_of(curve, work) : 0.0;
-    size_t first = curve->count;
-    for (size_t i = 0; i < curve->count && scatter > 0.0; i++) {
-        clod_curve_point *point = &curve->points[i];
-        if (point->y_error == 0.0 && point->spread == NULL) {
-            first = first < i ? first : i;
-            point->y_error = scatter;
-            point->freedom = curve->count - 2;
-            point->set = first;
-            point->by_line = true;
-        }
-    }
-    clod_memory_free(work);
-    return work != NULL;
-}
-
 static const char OF[] = "Wall yield locus: ";
 
 /** Evaluate the locus for what it says, and its slope; too few points for a line are a remark. */
@@ -225,7 +188,7 @@ bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_cur
         if (curve->specimens > 0) {
             clod_specimens_sort(curve->points, curve->count, curve->specimens);
         }
-        good = take_scatter(curve);
+        good = clod_scatter_take(curve);
         clod_curve_sort(curve);
     }
     if (good && one_specimen && clod_curve_has_errors(curve)) {

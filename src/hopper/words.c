@@ -192,10 +192,13 @@ void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST
         [CLOD_HOPPER_FUNNEL] = "in funnel flow",
         [CLOD_HOPPER_UNSETTLED] = "not settled",
         [CLOD_HOPPER_UNPROVEN] = "not known to be mass flow"};
-    snprintf(text, CLOD_WORDS_MOST, "%s",
-             isnan(found->share[found->design.outcome])
-                 ? "-: nothing tells the errors of wall friction, or of the limit that is given"
-                 : "");
+    const char *untold = "";
+    if (isnan(found->share[CLOD_HOPPER_FUNNEL])) { // which the wall decides
+        untold = "-: nothing tells the errors of wall friction, or of the limit that is given";
+    } else if (isnan(found->share[CLOD_HOPPER_FLOWS])) {
+        untold = "-: nothing tells the errors of the flow function";
+    }
+    snprintf(text, CLOD_WORDS_MOST, "%s", untold);
     for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
         if (found->share[k] > 0.0) {
             const size_t used = strlen(text);

@@ -160,14 +160,27 @@ static void tell_alone(char text[128], const clod_hopper *design, int shape)
     }
 }
 
+/** The size to build: the upper end, or the value as measured if it has none. NAN: not known. */
+static double build_of(const clod_hopper_value *size, double mechanical)
+{
+    const double safe = isnan(size->high) ? size->value : size->high;
+    return isnan(safe) ? safe : fmax(safe, mechanical);
+}
+
+/** What is said of that size. */
+static const char *at_least(const clod_hopper_value *size)
+{
+    return isnan(size->high) ? " as measured: how much wider to build is not known"
+                             : " to build, at least";
+}
+
 static void put_outlet(FILE *out, const clod_hopper *design, const clod_hopper_found *found)
 {
     const clod_hopper_field *how = &CLOD_HOPPER_FIELDS[CLOD_HOPPER_OUTLET];
     const clod_hopper_value *outlet = &found->number[CLOD_HOPPER_OUTLET];
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
-    const double build =
-        isnan(outlet->high) ? outlet->high : fmax(outlet->high, found->mechanical);
-    char numbers[240], particles[96] = "", alone[128], steeper[176], what[96], all[768];
+    const double build = build_of(outlet, found->mechanical);
+    char numbers[240], particles[96] = "", alone[128], steeper[176], what[112], all[768];
     tell(numbers, how, outlet);
     tell_steeper(steeper, design, found, build);
     tell_alone(alone, design, (int)found->wish.shape);
@@ -175,8 +188,8 @@ static void put_outlet(FILE *out, const clod_hopper *design, const clod_hopper_f
         snprintf(particles, sizeof particles, "; %s times the largest particle: %.1f mm",
                  cone ? "8" : "4", how->scale * found->mechanical);
     }
-    snprintf(what, sizeof what, "%s to build, at least%s",
-             cone ? "diameter of the outlet" : "width of the slot",
+    snprintf(what, sizeof what, "%s%s%s", cone ? "diameter of the outlet" : "width of the slot",
+             at_least(outlet),
              found->design.outcome == CLOD_HOPPER_UNPROVEN
                  ? ", if a chart for wedges shows mass flow"
                  : "");
@@ -214,11 +227,13 @@ static void put_margin(FILE *out, const clod_hopper_found *found)
 static void put_slot(FILE *out, const clod_hopper *design, const clod_hopper_found *found)
 {
     const clod_hopper_value *width = &design->slot_width;
-    char numbers[240];
+    char numbers[240], what[192];
     tell(numbers, &CLOD_HOPPER_FIELD_SLOT, width);
-    put_size(out, &CLOD_HOPPER_FIELD_SLOT, fmax(width->high, found->mechanical),
-             "width of the slot to build, at least, if it stays funnel flow; its diagonal must "
-             "be longer than the rathole's diameter",
+    snprintf(what, sizeof what,
+             "width of the slot%s, if it stays funnel flow; its diagonal must be longer than "
+             "the rathole's diameter",
+             at_least(width));
+    put_size(out, &CLOD_HOPPER_FIELD_SLOT, build_of(width, found->mechanical), what,
              "slot to build in funnel flow: no width is known within the errors", numbers);
 }
 
@@ -256,7 +271,7 @@ static void put_hole(FILE *out, const clod_hopper *design, int hole, const char 
     const clod_hopper_value *diameter = &design->rathole[hole];
     char numbers[240];
     tell(numbers, &CLOD_HOPPER_CELLS_HOLES[hole], diameter);
-    put_size(out, &CLOD_HOPPER_CELLS_HOLES[hole], diameter->high, what,
+    put_size(out, &CLOD_HOPPER_CELLS_HOLES[hole], build_of(diameter, 0.0), what,
              "outlet to build in funnel flow: no diameter is known within the errors", numbers);
 }
 
@@ -269,14 +284,17 @@ static void put_holes(FILE *out, const clod_hopper *design)
     if (design->solid.phi_t.count == 0) {
         return;
     }
-    snprintf(
-        what[CLOD_HOPPER_EMPTYING], sizeof what[0],
-        "diameter of the outlet to build, at least, by the stresses around the hole while it "
-        "empties: a narrower one may keep a rathole");
+    snprintf(what[CLOD_HOPPER_EMPTYING], sizeof what[0],
+             "diameter of the outlet%s, by the stresses around the hole while it empties: a "
+             "narrower one may keep a rathole",
+             at_least(&design->rathole[CLOD_HOPPER_EMPTYING]));
     snprintf(
         what[CLOD_HOPPER_FILLING], sizeof what[0],
-        "diameter of the outlet that empties in any case, by the head after filling, %.3f kPa "
-        "below %.4g m of solid in a silo of %.4g m",
+        "diameter of the outlet%s, by the head after filling, %.3f kPa below %.4g m of solid "
+        "in a silo of %.4g m",
+        isnan(design->rathole[CLOD_HOPPER_FILLING].high)
+            ? at_least(&design->rathole[CLOD_HOPPER_FILLING])
+            : " that empties in any case",
         1e-3 * design->hole.filling_stress, design->silo.height, design->silo.diameter);
     fputs("<h3>Rathole, if it is funnel flow</h3>\n", out);
     for (int k = 0; k < asked; k++) {

@@ -258,7 +258,7 @@ class Measured(hopper_case.Case):
     def test_where_the_spread_comes_from(self):
         """The share of a measurement is the variance that is there with its errors alone, over that with all of
         them: other runs, other samples. 400 samples tell a variance to 7 % (sqrt(2/n)), so a share to 0.1.
-        All f_c have the same error, so their line is the same where they have none."""
+        All f_c have the same error, so their line is the same where theirs is next to nothing."""
         head = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3],rho_b_error [kg/m3]\n"
         rows = [[2, 1.4, 0.05, 48, 40, 1250, 50], [4, 1.9, 0.05, 47, 40, 1300, 50], [8, 2.9, 0.05, 46, 39, 1350, 50]]
         samples = ("--set", "interval.samples=400")
@@ -266,7 +266,7 @@ class Measured(hopper_case.Case):
         def outlets(strength, wall, density):
             self.write("case.yaml", CASE if wall else CASE.replace(", error: 1 deg", ""))
             self.write("flow.csv", head + "".join(
-                ",".join(map(str, (a, b, c if strength else 0, d, e, f, g if density else 0))) + "\n"
+                ",".join(map(str, (a, b, c if strength else 1e-9, d, e, f, g if density else 0))) + "\n"
                 for a, b, c, d, e, f, g in rows))
             done = clod.run("hopper", "case.yaml", "--json", *samples, cwd=self.folder)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -343,8 +343,8 @@ class Measured(hopper_case.Case):
                           "internal friction is outside 30 to 70 deg", told)
 
     def test_intervals_without_errors_are_the_value(self):
-        """To the last printed digit, at an outlet that is nearly infinite. Those of the wall's are not known."""
-        self.start(CASE.replace(", error: 1 deg", ""), "2,2.5,0,48,40,1250\n8,6.85,0,46,40,1350\n")
+        """To the last printed digit, at an outlet that is nearly infinite; f_c has errors far below that. Those of the wall's are not known."""
+        self.start(CASE.replace(", error: 1 deg", ""), "2,2.5,1e-12,48,40,1250\n8,6.85,1e-12,46,40,1350\n")
         told = self.hopper("case.yaml").stdout
         rows = re.findall(r"^  [a-z].*?  +([0-9.]+) +([0-9.]+) +([0-9.]+)(?:  \S+)?$", told, re.MULTILINE)
         self.assertGreater(len(rows), 10)

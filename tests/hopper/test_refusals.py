@@ -166,7 +166,8 @@ class Refusals(hopper_case.Case):
                     head="sigma_1 [kPa],f_c [kPa],phi_e [deg]\n", rows="2,1.4,48\n8,2.9,47\n")
         self.refuse(CASE.replace("flow.csv", "flow.csv, curve: points"),
                     ["two points at nearly the same stress", "curve: line"],
-                    rows="2,1.4,0,48,40,1250\n2.01,1.5,0,48,40,1250\n8,2.9,0,46,40,1350\n")
+                    head="sigma_1 [kPa],sigma_1_error [kPa],f_c [kPa],phi_e [deg],rho_b [kg/m3]\n",
+                    rows="2,0.06,1.4,48,1250\n2.1,0.06,1.5,48,1250\n8,0,2.9,46,1350\n")
 
     def test_walls_that_cannot_be(self):
         """Two standard errors of hypot(0.03, 0.04) = 0.05 kPa are 0.1; without errors a tenth of 0.6 kPa is allowed."""

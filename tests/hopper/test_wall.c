@@ -99,7 +99,7 @@ static void points_without_errors_have_their_scatter(void **state)
     for (size_t i = 0; i < 4; i++) {
         const bool stated = i == 1;
         check_relative(curve.points[i].y_error, stated ? 7.0 : 10.0 * sqrt(2.0), 1e-9);
-        assert_int_equal(curve.points[i].by_line, !stated);
+        assert_int_equal(curve.points[i].by_line > 0.0, !stated);
         assert_int_equal(curve.points[i].freedom, stated ? 0 : 2);
         assert_int_equal(curve.points[i].set, stated ? 1 : 0); // one scale for all of them
     }

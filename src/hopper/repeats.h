@@ -1,0 +1,29 @@
+#pragma once
+/**
+ * @file repeats.h
+ * Rows of a flow function at one stress: repeats of a test, not more of the curve.
+ */
+
+#include "base/warning_list.h"
+#include "hopper/curve.h"
+
+/** The first point of the next stress: those no further apart than 2 % have one. @param curve  sorted */
+size_t clod_repeats_end(const clod_curve *curve, size_t first);
+
+/** Standard error of the mean of points `first` to before `end` by what they scatter; 0 of a single one. */
+double clod_repeats_scatter(const clod_curve *curve, size_t first, size_t end);
+
+/**
+ * The mean of points `first` to before `end`. Its error is that of their errors, or of their scatter, with `freedom` of it,
+ * if that is larger; of a single point its own.
+ */
+clod_curve_point clod_repeats_mean(const clod_curve *curve, size_t first, size_t end);
+
+/**
+ * Warn of repeats that differ by more than their errors tell; of those without, by more than a quarter of their mean.
+ * Errors, threads  as clod_warning_list_add.   Test  tests/hopper/test_strength.py
+ */
+void clod_repeats_warn(const clod_curve *curve, clod_warning_list *warnings);
+
+/** Put the mean of repeats in their place; those that specimens move stay apart. @param curve  [in, out] sorted */
+void clod_repeats_pool(clod_curve *curve);
