@@ -42,6 +42,8 @@ function(clod_add_program name source)
   target_compile_definitions(${name} PRIVATE CLOD_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   # a test takes longer to compile than to run; the library in it is optimised as users have it
   target_compile_options(${name} PRIVATE $<$<CONFIG:Debug>:-O0> $<$<CONFIG:Release>:-O1>)
+  # what a debugger reads of the library is seven eighths of a program, and half of the time of its link; the preset debug has it
+  target_link_options(${name} PRIVATE $<$<CONFIG:Release>:-Wl,--strip-debug>)
   if(CLOD_LLD)
     target_link_options(${name} PRIVATE -fuse-ld=lld)
   endif()
