@@ -27,6 +27,19 @@ GRAINS = [(0, 0, 0, 4, 0), (25, 0, 0, 5, 3), (-5, 10, 16, 6, 0), (-20, -5, -10, 
 CAMERA = ("--from=0,-0.3,0", "--at=0,0,0", "--angle=15", "--size=500x400", "--hide=floor")
 
 
+def nearest(left, up, corner):
+    """Which of the three is nearest to left + up - corner, the first of equals."""
+    from_left, from_up, from_corner = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
+    if from_left <= from_up and from_left <= from_corner:
+        return left
+    return up if from_up <= from_corner else corner
+
+
+# What a filter of a row adds to a byte.
+ADDED = (lambda left, up, corner: 0, lambda left, up, corner: left, lambda left, up, corner: up,
+         lambda left, up, corner: (left + up) // 2, nearest)
+
+
 class Image:
     """A PNG of 8 bits per colour, read without other packages (PNG specification, 2nd edition)."""
 
@@ -45,19 +58,14 @@ class Image:
         self.rows = self.unfilter(zlib.decompress(packed), 3 * self.width)
 
     def unfilter(self, data, size):
-        rows, above = [], bytearray(size)
-        for y in range(self.height):
-            start = y * (size + 1)
-            kind, row = data[start], bytearray(data[start + 1:start + 1 + size])
-            for k in range(size):
-                left = row[k - 3] if k >= 3 else 0
-                corner = above[k - 3] if k >= 3 else 0
-                up = above[k]
-                if kind == 4:
-                    nearest = min((left, up, corner),
-                                  key=lambda v: abs(left + up - corner - v))
-                row[k] = (row[k] + (0, left, up, (left + up) // 2,
-                                    nearest if kind == 4 else 0)[kind]) & 255
+        rows, above = [], bytes(size)
+        for start in range(0, self.height * (size + 1), size + 1):
+            add = ADDED[data[start]]
+            row = bytearray(data[start + 1:start + 1 + size])
+            for k in range(3):
+                row[k] = (row[k] + add(0, above[k], 0)) & 255
+            for k in range(3, size) if data[start] else ():
+                row[k] = (row[k] + add(row[k - 3], above[k], above[k - 3])) & 255
             rows.append(row)
             above = row
         return rows
