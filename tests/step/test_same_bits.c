@@ -65,8 +65,10 @@ static size_t contacts_between(const clod_near *near)
 
 static void compare(clod_step_options options)
 {
-    const int apart = looks_for_races() || (sanitized() && options.brute_force) ? 2 : 1;
-    for (int kind = 0; kind < BED_KINDS; kind += apart) {
+    static int compared;
+    // With sanitizers every other bed, in turn: vectors meet each of them, and so do threads.
+    const int first = sanitized() && !looks_for_races() ? compared++ % 2 : 0;
+    for (int kind = first; kind < BED_KINDS; kind += sanitized() ? 2 : 1) {
         scene b;
         run_bed(&b, (bed_kind)kind, options);
         assert_true(options.threads == 1 || contacts_between(&b.step.near) > 0);
@@ -181,7 +183,7 @@ static void threads_without_a_ledger_give_the_bits_of_one(void **state)
     static const int THREADS[] = {2, 7, 4};
     const int first = sanitized() ? 1 : 0, last = sanitized() ? 2 : 3;
     const int levels = omp_get_max_active_levels();
-    for (int kind = 0; kind < BED_KINDS; kind++) {
+    for (int kind = 0; kind < BED_KINDS; kind += sanitized() && !looks_for_races() ? 2 : 1) {
         scene one;
         run_bed_alone(&one, (bed_kind)kind, (clod_step_options){.threads = 1}, false);
         for (int k = first; k < last; k++) {

@@ -177,8 +177,8 @@ static void check_complete(const scene *s, int *touching)
 static void what_touches_is_on_the_list(void **state)
 {
     (void)state;
-    const int every = looks_for_races() ? 10 : 1; // looks between steps have no races
-    for (int threads = looks_for_races() ? 2 : 1; threads <= 2; threads++) {
+    const int every = sanitized() ? 10 : 1; // looks between steps are code of this file
+    for (int threads = sanitized() ? 2 : 1; threads <= 2; threads++) {
         const clod_case_contact ore = contact_ore();
         scene s;
         uint64_t draw = 0;
@@ -237,7 +237,7 @@ static void check_meeting(int edge, int layers, int threads, bool periodic)
                    -20.0 * z);
     }
     scene_start_with(&s, (clod_step_options){.threads = threads});
-    const int every = looks_for_races() ? 10 : 1;
+    const int every = sanitized() ? 10 : 1;
     int touching = 0, followed = 0;
     for (int k = 0; k < 1000; k++) {
         scene_run(&s, 20);
@@ -254,7 +254,7 @@ static void check_meeting(int edge, int layers, int threads, bool periodic)
 static void what_meets_is_on_the_list(void **state)
 {
     (void)state;
-    if (!looks_for_races()) {
+    if (!sanitized()) {
         check_meeting(4, 4, 1, false);
     }
     check_meeting(7, 6, 3, true); // 294 grains: several watches in each thread's part
