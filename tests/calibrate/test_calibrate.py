@@ -192,6 +192,7 @@ class Calibrate(bounce.Bounce):
         self.assertIn("runs.csv has the reasons", told.stdout)
         self.assertIn(f"only {11 - len(failed)} of 11 runs have this number", " ".join(told.stdout.split()))
 
+    @clod.quick_only
     def test_target_out_of_reach_is_told(self):
         plan = PLAN.replace(f"value: {BEFORE * TRUTH**2:.6g}", f"value: {BEFORE * 1.3:.6g}")
         told = self.calibrate(plan.replace("points: 9", "points: 6"), "-o", "out").stdout
@@ -373,6 +374,7 @@ class Calibrate(bounce.Bounce):
         self.assertIn("in order", self.calibrate(PLAN, "-o", "empty", "--check").stdout)
         self.assertEqual(os.listdir(self.path("empty")), [])
 
+    @clod.quick_only
     def test_set_changes_keys_as_an_edit_of_the_plan_does(self):
         """The bytes are those of the edited plan; other ranges need another folder, other errors do not."""
         short = PLAN.replace("points: 9", "points: 6").replace("error: 4e-6", "error: 8e-6")

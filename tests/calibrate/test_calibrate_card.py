@@ -117,7 +117,8 @@ class Card(bounce.Bounce):
         self.write("rest.yaml", rest)
         self.write("a bounce.yaml", case.replace(rest, ""))
         self.write("another.yaml", case.replace(rest, "include: rest.yaml\n"))
-        for test in ("{case: a bounce.yaml, set: {include: rest.yaml}}", "{case: another.yaml}"):
+        tests = ("{case: a bounce.yaml, set: {include: rest.yaml}}", "{case: another.yaml}")
+        for test in tests[:1] if clod.SANITIZED else tests:
             done = self.calibrate(bounce.PLAN.replace("{case: bounce.yaml}", test), "-o", "out")
             lines = done.stdout.split("\n")
             at = next(k for k, line in enumerate(lines) if line.startswith("  clod run "))
@@ -141,6 +142,7 @@ class Card(bounce.Bounce):
             told = [text for text in json.load(file)["warnings"] if text.startswith(MISSES)]
         self.assertEqual(len(told), 1)
 
+    @clod.quick_only
     def test_calibrated_keys_are_not_compared(self):
         plan = bounce.PLAN.replace("from: 0.2, to: 0.9", "from: 0.2, to: 0.9, multiples: {contacts.default.friction: 0.5}")
         self.calibrate(plan.replace("parameters:", "parameters:\n  s: {key: contacts.soften, from: 1, to: 2}"), "-o", "out")

@@ -57,6 +57,7 @@ class Settings(bounce.Bounce):
         told = self.calibrate(PLAN.replace("-2 m/s", "-3 m/s"), "-o", "out", code=2).stderr
         self.assertIn("design.txt", told)
 
+    @clod.quick_only
     def test_calibrated_case_runs_with_the_card(self):
         """The case has the card's key: included it is refused, by --set the card's value replaces it."""
         self.calibrate(bounce.PLAN, "-o", "out")

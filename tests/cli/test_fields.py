@@ -56,6 +56,7 @@ class Fields(clod.Case):
         mean = self.mean(field, key)
         return [volume * x for x in mean] if isinstance(mean, list) else volume * mean
 
+    @clod.quick_only
     def test_a_column_at_rest(self):
         """At rest the force through a level plane is the weight of the grains with centres above it:
         stress integrated over z > z0 is sum m g (z - z0), which gauges know too."""

@@ -129,6 +129,7 @@ class Inlets(clod.Case):
         for v in (0.89, -0.5):
             self.assertNotIn("fall back", self.judged(0.1, v).stdout)
 
+    @clod.quick_only
     def test_rate_amount_and_residence(self):
         """1 kg/s to half a grain; all that came is inside or left; time of fall by its formula."""
         self.write(group("mass_flow: 3.6 t/h, start: 0.1 s"))
@@ -304,9 +305,10 @@ walls: {lid: {material: ore, shapes: [{box: {center: [0 m, 0 m, 0 m], size: [0.1
         self.assertIn("outlet left", done.stdout)
         for row in clod.table(self.path("out/energy.csv")):
             self.assertLess(abs(row["residual_of_flow"]), 1e-3)
-        self.go("two", "2")
-        self.assertEqual(clod.read(self.path("out/series.csv")),
-                         clod.read(self.path("two/series.csv")))
+        if not clod.SANITIZED:
+            self.go("two", "2")
+            self.assertEqual(clod.read(self.path("out/series.csv")),
+                             clod.read(self.path("two/series.csv")))
 
     def test_wrong_outlets_are_explained(self):
         thin = "outlets: {thin: {region: {box: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 5 mm]}}}}"

@@ -63,12 +63,14 @@ class Outputs(clod.Case):
         for number, time in enumerate(times[:count], 1):
             self.assertAlmostEqual(time, number * interval, delta=1.5e-6)
 
+    @clod.quick_only
     def test_equal_intervals(self):
         self.write()
         self.expect(100, 100)
         self.expect_every(self.times(), 1e-3, 100)
         self.expect_every(self.rows(), 1e-3, 100)
 
+    @clod.quick_only
     def test_snapshots_between_rows(self):
         self.write(series="10 ms")
         self.expect(10, 100)
@@ -145,7 +147,7 @@ class Outputs(clod.Case):
     def test_rest_needs_contacts(self):
         """Not before anything has fallen, whatever is written how often."""
         ends = set()
-        for series in ("0.1 ms", "1 ms", "0.1 s"):
+        for series in ("1 ms",) if clod.SANITIZED else ("0.1 ms", "1 ms", "0.1 s"):
             self.write("[{name: settle, duration: 1 s, rest: 20 mm/s}]", series, "0 s")
             done = self.go("out", "--fresh")
             reason, end = self.ends()["settle"]
@@ -157,6 +159,7 @@ class Outputs(clod.Case):
             ends.add(end)
         self.assertEqual(len(ends), 1)
 
+    @clod.quick_only
     def test_rest_is_not_the_top_of_a_bounce(self):
         """Both grains are slower than this at first, and again at the top of each bounce."""
         self.write("[{name: settle, duration: 0.2 s, rest: 0.2 m/s}]")

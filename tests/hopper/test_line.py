@@ -139,6 +139,7 @@ class Line(Case):
         found = self.design(TEMPLATE, rest=["50,38,", *REST[1:]], case=CASE + "bulk_density: {value: 1250 kg/m3}\n")
         self.assertEqual(self.said(found, "is missing at"), [])
 
+    @clod.quick_only
     def test_ends_and_what_their_number_leaves_open(self):
         """Four times the samples: half the errors. f_c alone is drawn, normal, whose 5 % quantile of n is known to
         sqrt(0.05 x 0.95/n)/0.1031 deviations; an estimate of that scatters by some tenths."""
