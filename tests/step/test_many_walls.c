@@ -145,7 +145,7 @@ static void specks_beyond_the_corners_are_found(void **state)
 static void cells_find_what_a_look_at_every_shape_finds(void **state)
 {
     (void)state;
-    for (uint64_t seed = 1; seed <= 40; seed++) {
+    for (uint64_t seed = 1; seed <= 40; seed += sanitized() ? 5 : 1) {
         check_candidates(seed, 400, 1 + (int)seed % 8, 1 + 7 * (int)seed);
     }
     check_candidates(77, 1, 3, 50); // a grid of one cell
