@@ -27,7 +27,10 @@ HOPPER = ["hopper", clod.source("cases/hopper-design/hopper.yaml"), "--set", "in
 RUN = ["run", SMALL, "-o", "run", "-t", "1", "--no-report"]
 RING = ["run", clod.source("tests/faults/ring.yaml"), "-o", "run", "-t", "1", "--no-report"]
 UNIAXIAL = ["run", clod.source("tests/faults/uniaxial.yaml"), "-o", "run", "-t", "1", "--no-report"]
-JENIKE = ["run", clod.source("tests/restart/jenike.yaml"), "-o", "run", "-t", "1", "--no-report"]
+JENIKE = ["run", clod.source("tests/restart/jenike.yaml"), "-o", "run", "-t", "1", "--no-report",
+          *(word for change in ("preshear_max=1.9mm", "block_displacement=0.2mm", "shear_max=1mm", "beyond_peak=0.2mm",
+                                "twist_angle=2deg")
+            for word in ("--set", f"jenike.{change}"))]
 WALL = ["run", clod.source("tests/cli/wall_friction.yaml"), "-o", "run", "-t", "1", "--no-report",
         *(word for change in ("grain_count=60", "outer_radius=14mm", "block_displacement=0.3mm",
                               "steady_blocks=3", "shear_min=1mm", "shear_max=1.2mm")
