@@ -160,7 +160,8 @@ static void seeds_on_groups_are_the_same(void **state)
                      .overrides = {"wall_friction.seeds=2", "wall_friction.shear_min=1 mm",
                                    "wall_friction.shear_max=1.5 mm",
                                    "wall_friction.block_displacement=0.2 mm",
-                                   "output.contacts=false", "output.snapshot_interval=0.2 s"}};
+                                   "output.contacts=false", "output.snapshot_interval=0.2 s",
+                                   "output.checkpoint_interval=1 s"}}; // on the clock
     char first[PATH_MAX];
     atomic_store(&splits, 0);
     compare(state, run, 3, 20);
@@ -170,7 +171,7 @@ static void seeds_on_groups_are_the_same(void **state)
     }
     snprintf(first, sizeof first, "%s/one", (const char *)*state);
     run.from = first;
-    run.overrides[6] = "wall_friction.wall_stresses=[1 kPa, 0.8 kPa]";
+    run.overrides[7] = "wall_friction.wall_stresses=[1 kPa, 0.8 kPa]";
     atomic_store(&splits, 0);
     compare(state, run, 3, 20);
     assert_int_equal(atomic_load(&splits), 3); // fillings are taken over by rank 0
