@@ -23,7 +23,7 @@ extern "C" {
  * otherwise each has its own (docs/theory/yield-locus.md).
  */
 typedef struct clod_locus_point {
-    int64_t seed;       ///< which repeat of the whole test
+    int64_t seed;       ///< which repeat of the whole test; 0 = not told
     double sigma_p;     ///< normal stress of preshear
     double tau_p;       ///< steady shear stress of preshear
     double sigma_s;     ///< normal stress at shear to failure
@@ -98,7 +98,7 @@ typedef struct clod_locus {
     double correlation
         [CLOD_LOCUS_PAIRS]; ///< of the errors of each pair, of one test; NAN: not known
     size_t seed_count;
-    size_t preshear_count;  ///< specimens, over all seeds (docs/theory/yield-locus.md)
+    size_t preshear_count;  ///< over all seeds (docs/theory/yield-locus.md)
     size_t point_count;     ///< over all seeds
     clod_locus_mark *marks; ///< [point_count] owned
     size_t warning_count;
@@ -149,17 +149,21 @@ typedef struct clod_locus_study {
     char warning[CLOD_LOCUS_WARNING_TEXT]; ///< of the flow function; "" = none
 } clod_locus_study;
 
-/** Whether the errors are those of one specimen, which cannot tell how specimens differ. */
-bool clod_locus_one_specimen(const clod_locus *self);
-
-/** What to say beside such errors. */
+/** What to say beside errors of one specimen, which cannot tell how specimens differ. */
 #define CLOD_LOCUS_ONE_SPECIMEN "one specimen: scatter between specimens not included"
+
+/** What more to say where preshears differ and nothing tells whether they are of one specimen, as a ring shear
+ *  tester makes them. */
+#define CLOD_LOCUS_UNLESS_JENIKE "unless each point has its own, as in a Jenike tester"
 
 /** What to say beside errors with preshear_untold. */
 #define CLOD_LOCUS_PRESHEAR_UNTOLD                                                             \
     "error of tau_p not known: not in those of sigma_1, sigma_2, phi_e, ffc"
 
-/** What the errors leave out, of the two texts above; static, NULL: nothing. */
+/** The first of these texts where it is to be said, with the second after a comma where that is; static, or NULL. */
+const char *clod_locus_specimen_note(const clod_locus *self);
+
+/** All that the errors leave out, in these texts; static, NULL: nothing. */
 const char *clod_locus_errors_note(const clod_locus *self);
 
 /**

@@ -12,6 +12,7 @@
 #include "base/given.h"
 #include "base/memory.h"
 
+#define UNSURE CLOD_LOCUS_ONE_SPECIMEN ", " CLOD_LOCUS_UNLESS_JENIKE
 #define HALF_PI 1.57079632679489661923
 #define NO_ERROR 1e-9 ///< of tau_p: less is rounding of points that all have one tau_p
 #define FAR_BELOW                                                                              \
@@ -30,21 +31,29 @@ void clod_locus_fini(clod_locus *self)
     self->point_count = 0;
 }
 
-bool clod_locus_one_specimen(const clod_locus *self)
+/** Whether points without a seed have preshears of their own: in one specimen, or in one each. */
+static bool is_unsure(const clod_locus *self)
+{
+    return self->preshear_count > 1 && self->marks[0].seed == 0;
+}
+
+const char *clod_locus_specimen_note(const clod_locus *self)
 {
     CLOD_NEED(self);
-    return self->errors == CLOD_LOCUS_ERRORS_FIT && self->preshear_count == 1;
+    return self->errors != CLOD_LOCUS_ERRORS_FIT ? NULL
+           : is_unsure(self)                     ? UNSURE
+                                                 : CLOD_LOCUS_ONE_SPECIMEN;
 }
 
 const char *clod_locus_errors_note(const clod_locus *self)
 {
     CLOD_NEED(self);
-    const bool one = clod_locus_one_specimen(self);
-    return one && self->preshear_untold ? CLOD_LOCUS_ONE_SPECIMEN
-               "; " CLOD_LOCUS_PRESHEAR_UNTOLD
-           : one                   ? CLOD_LOCUS_ONE_SPECIMEN
-           : self->preshear_untold ? CLOD_LOCUS_PRESHEAR_UNTOLD
-                                   : NULL;
+    const char *specimen = clod_locus_specimen_note(self);
+    if (specimen == NULL || !self->preshear_untold) {
+        return self->preshear_untold ? CLOD_LOCUS_PRESHEAR_UNTOLD : specimen;
+    }
+    return is_unsure(self) ? UNSURE "; " CLOD_LOCUS_PRESHEAR_UNTOLD
+                           : CLOD_LOCUS_ONE_SPECIMEN "; " CLOD_LOCUS_PRESHEAR_UNTOLD;
 }
 
 const char *clod_locus_flow(double ffc)

@@ -46,12 +46,12 @@ clod_spread_result clod_spread_evaluate(const clod_locus_point *points, size_t c
 
 /** Standard deviations of what is wrong with the points beyond their stated errors. */
 typedef struct excess {
-    double specimen; ///< relative, of tau_p and tau_s together
+    double preshear; ///< relative, of tau_p and tau_s together
     double line;     ///< of the prorated shear stress
 } excess;
 
-double clod_spread_specimen(const clod_locus_point *points, const size_t *first, size_t count,
-                            double tau_p)
+double clod_spread_preshears(const clod_locus_point *points, const size_t *first, size_t count,
+                             double tau_p)
 {
     double preshears = 0.0;
     double mean = 0.0;
@@ -64,7 +64,7 @@ double clod_spread_specimen(const clod_locus_point *points, const size_t *first,
         }
     }
     if (preshears < 2.0) {
-        return 0.0; // one specimen does not tell how specimens differ
+        return 0.0; // one preshear does not tell how preshears differ
     }
     mean /= preshears;
     double squares = 0.0;
@@ -110,7 +110,7 @@ static excess find_excess(const clod_locus_point *points, const size_t *first, s
         expected += of_s * of_s * (1.0 - leverage);
         expected += first[i] == i ? expect_preshear(points, first, count, i, best) : 0.0;
     }
-    excess self = {clod_spread_specimen(points, first, count, tau_p), 0.0};
+    excess self = {clod_spread_preshears(points, first, count, tau_p), 0.0};
     if (count > 2) {
         self.line = sqrt(fmax(fit->residual - expected, 0.0) / (n - 2.0));
     }
@@ -119,10 +119,10 @@ static excess find_excess(const clod_locus_point *points, const size_t *first, s
 
 /** One error: of a preshear, with all of its points, or of a single point. */
 typedef struct cause {
-    size_t at;     ///< the point, or the first of the preshear
-    double tau_p;  ///< of the preshear [Pa]
-    bool specimen; ///< whether tau_s of all points of the preshear change by the same factor
-    double tau_s;  ///< of the point [Pa]
+    size_t at;    ///< the point, or the first of the preshear
+    double tau_p; ///< of the preshear [Pa]
+    bool factor;  ///< whether tau_s of all points of the preshear change by the same factor
+    double tau_s; ///< of the point [Pa]
 } cause;
 
 typedef struct propagation {
@@ -145,7 +145,7 @@ static void change_points(const propagation *self, const cause *by, double times
             const clod_locus_point *p = &self->points[k];
             const double tau_p = times * by->tau_p;
             self->changed[k].tau_p = p->tau_p + tau_p;
-            self->changed[k].tau_s = p->tau_s * (by->specimen ? 1.0 + tau_p / p->tau_p : 1.0);
+            self->changed[k].tau_s = p->tau_s * (by->factor ? 1.0 + tau_p / p->tau_p : 1.0);
         }
     }
     self->changed[by->at].tau_s += times * by->tau_s;
@@ -208,8 +208,7 @@ void clod_spread_errors(const clod_locus_point *points, const size_t *first, siz
         add_effect(&self, (cause){.at = i, .tau_s = more.line * p->tau_p / tau_p});
         if (first[i] == i) {
             add_effect(&self, (cause){.at = i, .tau_p = p->tau_p_error});
-            add_effect(&self,
-                       (cause){.at = i, .tau_p = more.specimen * tau_p, .specimen = true});
+            add_effect(&self, (cause){.at = i, .tau_p = more.preshear * tau_p, .factor = true});
         }
     }
     tell(&self, told);

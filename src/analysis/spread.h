@@ -28,14 +28,15 @@ clod_spread_result clod_spread_evaluate(const clod_locus_point *points, size_t c
 
 /**
  * Relative standard deviation between the preshears of one seed beyond their stated errors; 0: there is one preshear.
+ * Preshears of one specimen differ by less than specimens do.
  *
  * @param points  [count]
  * @param first   [count] of clod_preshear_find
  * @param tau_p   mean over the points
  * Errors  none.   Threads  pure.   Test  tests/analysis/test_locus_preshear.c, calibrate/test_plan_shear.c
  */
-double clod_spread_specimen(const clod_locus_point *points, const size_t *first, size_t count,
-                            double tau_p);
+double clod_spread_preshears(const clod_locus_point *points, const size_t *first, size_t count,
+                             double tau_p);
 
 /** Errors of the fields, and how they go together. */
 typedef struct clod_spread_told {
@@ -48,7 +49,7 @@ typedef struct clod_spread_told {
  *
  * - of each point, what was stated for tau_s,
  * - of each preshear, what was stated for tau_p, for all of its points together,
- * - of each preshear, what the specimens differ by: scatter of tau_p between preshears beyond
+ * - of each preshear, what preshears differ by: scatter of tau_p between them beyond
  *   the stated errors, taken to act on tau_p and tau_s of its points by the same factor, as
  *   prorating supposes,
  * - of each point, what the points scatter about the line beyond all that, taken to be in

@@ -79,7 +79,12 @@ static void put_errors(FILE *out, const clod_locus *locus)
             "  No error bars: they need three points, or errors of the points and the preshear",
             out);
     }
-    fputs(clod_locus_one_specimen(locus) ? ";\n  " CLOD_LOCUS_ONE_SPECIMEN : "", out);
+    const char *specimen = clod_locus_specimen_note(locus);
+    if (specimen != NULL) {
+        const bool unless = strstr(specimen, CLOD_LOCUS_UNLESS_JENIKE) != NULL;
+        fputs(";\n  " CLOD_LOCUS_ONE_SPECIMEN, out);
+        fputs(unless ? ",\n  " CLOD_LOCUS_UNLESS_JENIKE : "", out);
+    }
     fputs(locus->preshear_untold ? ";\n  " CLOD_LOCUS_PRESHEAR_UNTOLD : "", out);
     fputs(".\n", out);
 }

@@ -207,32 +207,38 @@ void clod_plan_samples_warn_one(maker *self, const clod_plan_target *common, dou
     char text[CLOD_WARNING_LIST_TEXT];
     snprintf(
         text, sizeof text,
-        "%s. Intervals are then too narrow: measure several, or give what they differ by as error in the plan, "
+        "%s. Intervals are too narrow without it: measure several, or give what they differ by as error in the plan, "
         "which counts where it is larger than the table's.",
         what);
     clod_plan_samples_warn(self, text);
 }
 
-/** Warn where errors are estimated from few specimens. */
+/** Warn where errors are estimated from few specimens, from few rows that may be of one, or from few preshears. */
 static void warn_few(maker *self, const clod_plan_samples *from)
 {
+    const char *what = "";
     size_t fewest = 0;
     for (size_t k = 0; k < from->count; k++) {
         const clod_plan_repeats *of = &from->items[k].repeats;
         const clod_plan_common *common = &from->items[k].common;
-        const bool counts = of->estimate && of->count > 1;
-        fewest = counts && (fewest == 0 || of->count < fewest) ? of->count : fewest;
+        if (of->estimate && of->count > 1 && (fewest == 0 || of->count < fewest)) {
+            fewest = of->count;
+            what = is_twice_in(of) ? "rows" : "specimens";
+        }
         const size_t preshears = common->error > 0.0 ? (size_t)common->degrees + 1 : 0;
-        fewest = preshears > 0 && (fewest == 0 || preshears < fewest) ? preshears : fewest;
+        if (preshears > 0 && (fewest == 0 || preshears < fewest)) {
+            fewest = preshears;
+            what = "preshears";
+        }
     }
     if (fewest == 0 || fewest > FEW) {
         return;
     }
     clod_warning_list_add(
         &self->plan->warnings,
-        "%s: errors are estimated from %zu specimens, whose scatter at one stress is uncertain by %.0f %%. "
-        "Intervals are wider for it (Student's t); more specimens make them narrower.",
-        self->wish->locus, fewest, 100.0 / sqrt(2.0 * ((double)fewest - 1.0)));
+        "%s: errors are estimated from %zu %s, whose scatter at one stress is uncertain by %.0f %%. "
+        "Intervals are wider for it (Student's t); more %s make them narrower.",
+        self->wish->locus, fewest, what, 100.0 / sqrt(2.0 * ((double)fewest - 1.0)), what);
 }
 
 void clod_plan_samples_warn_alike(clod_plan_maker *self, const clod_plan_samples *from)

@@ -34,7 +34,7 @@ typedef struct preshears {
     size_t count;
     double tau_p; ///< mean over the points
     double
-        error; ///< relative, of tau_p: how specimens differ, beyond the errors that are stated
+        error; ///< relative, of tau_p: how preshears differ, beyond the errors that are stated
 } preshears;
 
 /** Those of a seed's locus; none without memory, which the report notes. */
@@ -58,7 +58,7 @@ static preshears find_preshears(maker *self, const clod_locus *seed,
             }
         }
         found.error =
-            clod_spread_specimen(own, first, n, found.tau_p) * sqrt(pairs) / (double)n;
+            clod_spread_preshears(own, first, n, found.tau_p) * sqrt(pairs) / (double)n;
     } else {
         self->loader->report->lost = true;
     }
@@ -162,30 +162,23 @@ static const clod_locus_value *mean_at(const clod_locus *locus, const column *of
     return (const clod_locus_value *)(const void *)((const char *)locus + of->mean);
 }
 
-/** Points of a specimen. */
-static double points_of(const clod_locus *locus, int64_t seed)
+/** Standard error of the mean of a column over specimens: from their scatter, from the table's errors of each
+ *  preshear or from the plan's of each specimen, whichever is largest (as clod_mean_of has it). */
+static double mean_error(const shear_table *table, const column *of, double given)
 {
-    double count = 0.0;
-    for (size_t k = 0; k < locus->point_count; k++) {
-        count += locus->marks[k].seed == seed ? 1.0 : 0.0;
-    }
-    return count;
-}
-
-/** Standard error of the mean of a column over specimens: from their scatter, from the table's errors or from the
- *  plan's, of each, whichever is largest (as clod_mean_of has it). */
-static double mean_error(const clod_locus *locus, const clod_locus_point *points,
-                         const column *of, double given)
-{
-    const double error = mean_at(locus, of)->error;
+    const clod_locus_group *group = table->group;
+    const double error = mean_at(&group->locus, of)->error;
     const double told = isfinite(error) ? error : 0.0;
-    const double specimens = (double)locus->preshear_count;
+    const double specimens = (double)group->seed_count;
     bool stated = true;
-    double squares = 0.0;
-    for (size_t k = 0; k < locus->point_count; k++) {
-        const double one = number_at(&points[locus->marks[k].index], of->error);
-        stated = stated && one > 0.0;
-        squares += one * one / points_of(locus, locus->marks[k].seed);
+    double squares = 0.0; // of the means of the specimens
+    for (size_t s = 0; s < group->seed_count; s++) {
+        const clod_locus *seed = &group->seeds[s];
+        for (size_t k = 0; k < seed->point_count; k++) {
+            const double one = number_at(&table->points[seed->marks[k].index], of->error);
+            stated = stated && one > 0.0;
+            squares += one * one / (double)seed->point_count / (double)seed->preshear_count;
+        }
     }
     return fmax(fmax(told, stated ? sqrt(squares) / specimens : 0.0), given / sqrt(specimens));
 }
@@ -223,7 +216,7 @@ static void take_specimens(const clod_locus *locus, const clod_locus_point *poin
     }
 }
 
-/** What the mean tau_p of the seeds has in common with the points that they prorated: all that specimens differ by. */
+/** What the mean tau_p of the seeds has in common with the points that they prorated: all that preshears differ by. */
 static void share_preshear(maker *self, const shear_table *table, sample *to)
 {
     const clod_locus_group *group = table->group;
@@ -254,7 +247,7 @@ static void make_mean(maker *self, const clod_number *kind, const clod_plan_targ
         return;
     }
     sample one = {.value = mean_at(locus, of)->value,
-                  .error = mean_error(locus, table->points, of, common->error)};
+                  .error = mean_error(table, of, common->error)};
     const double scatter = mean_at(locus, of)->scatter / sqrt((double)locus->seed_count);
     take_specimens(locus, table->points, of, &one.repeats);
     one.repeats.estimate = isfinite(scatter) && one.error <= SAME * scatter;
@@ -317,9 +310,9 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
         for (size_t k = 0; k < locus->warning_count; k++) {
             clod_plan_samples_warn(self, locus->warnings[k]);
         }
-        if (clod_locus_one_specimen(locus)) {
-            clod_plan_samples_warn_one(self, &common, largest(locus, points, kind),
-                                       CLOD_LOCUS_ONE_SPECIMEN);
+        const char *specimen = clod_locus_specimen_note(locus);
+        if (specimen != NULL) {
+            clod_plan_samples_warn_one(self, &common, largest(locus, points, kind), specimen);
         }
         return;
     }

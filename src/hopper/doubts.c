@@ -335,7 +335,7 @@ void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes)
                  "tau_w_error, make the interval of the half angle");
     warn_no_outlet(self);
     warn_no_interval(self);
-    if (notes->one_specimen) {
-        clod_warning_list_add(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
+    if (notes->specimen != NULL) {
+        clod_warning_list_add(&self->warnings, "Yield loci: errors of %s.", notes->specimen);
     }
 }

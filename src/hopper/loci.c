@@ -20,7 +20,8 @@ static void put(clod_curve_point *point, clod_locus_value value)
 /** What clod locus says about a yield locus. */
 static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
 {
-    notes->one_specimen = notes->one_specimen || clod_locus_one_specimen(locus);
+    const char *specimen = clod_locus_specimen_note(locus);
+    notes->specimen = specimen != NULL ? specimen : notes->specimen;
     notes->preshear_untold = notes->preshear_untold || locus->preshear_untold;
     for (size_t k = 0; k < locus->warning_count; k++) {
         clod_warning_list_add(notes->warnings,

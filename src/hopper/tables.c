@@ -221,6 +221,9 @@ static void take_origin(row *at, clod_tables_notes *notes)
     for (size_t k = 0; k < sizeof points / sizeof points[0]; k++) {
         points[k]->freedom = at->seeds > 1 && at->seeds <= MANY ? (size_t)at->seeds - 1 : 0;
     }
+    if (at->seeds == 1 && has_errors) { // of which tester they are it does not tell
+        notes->specimen = CLOD_LOCUS_ONE_SPECIMEN ", " CLOD_LOCUS_UNLESS_JENIKE;
+    }
     notes->preshear_untold =
         notes->preshear_untold || (at->tau_p > 0.0 && at->tau_p_error == 0.0 && has_errors);
 }

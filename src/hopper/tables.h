@@ -10,7 +10,8 @@
 
 /** What is to be said beside what was read. */
 typedef struct clod_tables_notes {
-    bool one_specimen;           ///< whether a strength comes from a single specimen
+    const char *
+        specimen; ///< of a strength of one specimen, clod_locus_specimen_note; NULL: of several
     bool preshear_untold;        ///< whether the error of a tau_p is not known (clod/locus.h)
     bool uniaxial;               ///< whether the flow function is that of a uniaxial test
     clod_warning_list *warnings; ///< those of yield loci and of wall yield loci

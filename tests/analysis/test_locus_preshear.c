@@ -174,13 +174,12 @@ static void an_error_of_tau_p_that_nobody_states_is_not_zero(void **state)
         assert_told(clod_locus_table(study), "phi_sf       40.36 ±        -  deg");
         assert_told(clod_locus_table(study), "c            2.000 ±    0.137  kPa");
         assert_told(clod_locus_table(study),
-                    k == 1
-                        ? "errors of the points;\n  error of tau_p not known: not in those of "
-                          "sigma_1, sigma_2, phi_e, ffc.\n"
-                        : "between specimens not included;\n  error of tau_p not known: ");
+                    k == 1 ? "in a Jenike tester;\n  error of tau_p not known: not in those of "
+                             "sigma_1, sigma_2, phi_e, ffc.\n"
+                           : "between specimens not included;\n  error of tau_p not known: ");
         assert_told(clod_locus_csv(study), ",8500,,");
         assert_told(clod_locus_json(study),
-                    k == 1 ? "\"errors_note\": \"error of tau_p not known: not in those of"
+                    k == 1 ? "in a Jenike tester; error of tau_p not known: not in those of"
                            : "\"errors_note\": \"one specimen: scatter between specimens not "
                              "included; error of tau_p not known");
         clod_locus_study_destroy(&study);

@@ -289,8 +289,10 @@ static void exchanged_columns_of_points_and_preshear(void **state)
     clod_locus_fini(&locus);
 }
 
-/** What the table and the JSON say of the errors of one consolidation. */
-static bool says_one_specimen(const clod_locus_point *points, size_t count)
+#define UNSURE CLOD_LOCUS_ONE_SPECIMEN ", " CLOD_LOCUS_UNLESS_JENIKE
+
+/** That the table and the JSON say so much of the specimens of one consolidation; NULL: nothing. */
+static void check_specimens(const clod_locus_point *points, size_t count, const char *expected)
 {
     clod_locus_study *study = make_study(points, count);
     char *table = clod_locus_table(study);
@@ -298,36 +300,47 @@ static bool says_one_specimen(const clod_locus_point *points, size_t count)
     json_t *all = json_loads(text, 0, NULL);
     const json_t *locus = json_array_get(json_object_get(all, "loci"), 0);
     const json_t *note = json_object_get(locus, "errors_note");
-    const bool told = strstr(table, CLOD_LOCUS_ONE_SPECIMEN) != NULL;
     assert_non_null(note);
-    const char *words = json_string_value(note);
-    assert_int_equal(told, words != NULL && strstr(words, CLOD_LOCUS_ONE_SPECIMEN) != NULL);
-    assert_int_equal(told, clod_locus_one_specimen(&study->groups[0].locus));
+    assert_int_equal(expected == NULL, json_is_null(note));
+    if (expected != NULL) {
+        assert_string_equal(json_string_value(note), expected);
+        assert_string_equal(clod_locus_specimen_note(&study->groups[0].locus), expected);
+    }
+    assert_int_equal(expected != NULL, strstr(table, CLOD_LOCUS_ONE_SPECIMEN) != NULL);
+    assert_int_equal(expected != NULL && strcmp(expected, UNSURE) == 0,
+                     strstr(table, ",\n  " CLOD_LOCUS_UNLESS_JENIKE ".\n") != NULL);
     json_decref(all);
     clod_locus_free(text);
     clod_locus_free(table);
     clod_locus_study_destroy(&study);
-    return told;
 }
 
-// One preshear is one specimen. Points with a preshear each tell how specimens differ, as do
-// seeds; and where no errors are given there is nothing to add to them.
+// A ring shear tester makes all preshears in one specimen, a Jenike tester each in one of its own: the seed
+// tells, or nothing does. Where no errors are given there is nothing to add to them.
 static void errors_of_one_specimen_are_told(void **state)
 {
     (void)state;
     clod_locus_point points[8];
     good_points(points);
-    assert_true(says_one_specimen(points, 4));
-    assert_false(says_one_specimen(points, 2)); // no errors
+    for (size_t i = 0; i < 4; i++) {
+        points[i].tau_p_error = 10.0;
+    }
+    check_specimens(points, 4, CLOD_LOCUS_ONE_SPECIMEN);
+    check_specimens(points, 2, NULL); // no errors
     points[0].tau_p *= 1.01;
-    assert_false(says_one_specimen(points, 4)); // four preshears
+    check_specimens(points, 4, UNSURE); // four preshears, of nobody knows how many specimens
+    for (size_t i = 0; i < 4; i++) {
+        points[i].seed = 1;
+    }
+    check_specimens(points, 4, CLOD_LOCUS_ONE_SPECIMEN); // four of specimen 1
     good_points(points);
     good_points(points + 4);
     for (size_t i = 4; i < 8; i++) {
         points[i].seed = 1;
         points[i].tau_s *= 1.02;
     }
-    assert_false(says_one_specimen(points, 8)); // two seeds
+    points[0].tau_p *= 1.01;          // so the error of tau_p is known
+    check_specimens(points, 8, NULL); // two specimens
 }
 
 int main(void)

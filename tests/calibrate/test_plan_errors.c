@@ -94,8 +94,8 @@ static void check_warned(void **state, const char *from, const char *target, con
 static void one_specimen_is_warned_of(void **state)
 {
     static const char *const ONE =
-        "lab.csv: one specimen: scatter between specimens not included. Intervals are then too "
-        "narrow";
+        "lab.csv: one specimen: scatter between specimens not included. Intervals are too "
+        "narrow without it";
     lab_write_file(state, "lab.csv", HEAD SPECIMEN("1", "1500"));
     check_warned(state, RING, "locus: lab.csv", "1 kPa", ONE);
     check_warned(state, RING, "locus: lab.csv, number: tau_p", "0.5 kPa", ONE);
@@ -106,7 +106,7 @@ static void one_specimen_is_warned_of(void **state)
     lab_write_file(state, "lab.csv", DENSITY);
     check_warned(state, UNIAXIAL, "locus: lab.csv", "10 kg/m3",
                  "lab.csv: one row at each stress: scatter between specimens not included, "
-                 "unless rho_b_error has it. Intervals are then too narrow");
+                 "unless rho_b_error has it. Intervals are too narrow without it");
     lab_write_file(state, "lab.csv",
                    "angle_of_repose [deg],angle_of_repose_error [deg]\n30,1\n");
     check_warned(state, PILE, "locus: lab.csv, number: repose.heap.angle_deg", "2 deg",
@@ -174,14 +174,61 @@ static void several_specimens_are_not(void **state)
     check_silent(state, PILE, "locus: lab.csv, number: repose.heap.angle_deg");
 }
 
-// Points of a laboratory have a specimen each, whose preshears tell how they differ.
-static void a_preshear_for_each_point_tells_how_specimens_differ(void **state)
+#define PRESHEARS                                                                              \
+    HEAD "1,54.8,39,0.3,10.96,12.7,0.3,1500,5\n1,54.8,40,0.3,27.4,24.2,0.3,1501,5\n"           \
+         "1,54.8,41,0.3,43.84,35.7,0.3,1502,5\n"
+#define UNNUMBERED                                                                             \
+    "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],tau_sh_error [kPa]\n"           \
+    "54.8,39,10.96,12.7,0.3\n54.8,40,27.4,24.2,0.3\n54.8,41,43.84,35.7,0.3\n"
+
+/** Two warnings: of few preshears, which are no specimens, and of one specimen. */
+static void check_preshears(void **state, const char *target, const char *words)
 {
-    lab_write_file(state, "lab.csv",
-                   HEAD
-                   "1,54.8,39,0.3,10.96,12.7,0.3,1500,5\n1,54.8,40,0.3,27.4,24.2,0.3,1501,5\n"
-                   "1,54.8,41,0.3,43.84,35.7,0.3,1502,5\n");
-    check_silent(state, RING, "locus: lab.csv");
+    clod_plan plan;
+    load(state, RING, target, &plan);
+    assert_int_equal(plan.warnings.count, 2);
+    assert_non_null(
+        strstr(plan.warnings.text[0],
+               "lab.csv: errors are estimated from 3 preshears, whose scatter at one "
+               "stress is uncertain by 50 %. Intervals are wider for it (Student's t); "
+               "more preshears make them narrower."));
+    assert_non_null(strstr(plan.warnings.text[1], words));
+    clod_plan_fini(&plan);
+}
+
+// A ring shear tester makes the preshear of each point in the same specimen: they tell nothing of how specimens differ.
+static void preshears_are_no_specimens(void **state)
+{
+    lab_write_file(state, "lab.csv", PRESHEARS);
+    check_preshears(
+        state, "locus: lab.csv",
+        "lab.csv: one specimen: scatter between specimens not included. Intervals are "
+        "too narrow without it");
+    lab_write_file(state, "lab.csv", UNNUMBERED);
+    check_preshears(
+        state, "locus: lab.csv",
+        "lab.csv: one specimen: scatter between specimens not included, unless each "
+        "point has its own, as in a Jenike tester. Intervals are too narrow without it");
+}
+
+// What the plan says that specimens differ by counts whole for one, however many preshears it has. Densities of
+// 1500, 1501 and 1502 kg/m3 are known to 1/sqrt(3), by their stated errors to 5/sqrt(3).
+static void an_error_of_the_plan_is_that_of_a_specimen(void **state)
+{
+    lab_write_file(state, "lab.csv", PRESHEARS);
+    check_errors(state, RING, "locus: lab.csv, number: rho_b", (double[]){5.0 / sqrt(3.0)}, 1);
+    check_errors(state, RING, "locus: lab.csv, number: rho_b, error: 6 kg/m3", (double[]){6.0},
+                 1);
+}
+
+// Two specimens of two preshears each: four stated errors of 5 kg/m3, which are more than the specimens differ by.
+static void stated_errors_are_those_of_preshears(void **state)
+{
+    lab_write_file(
+        state, "lab.csv",
+        HEAD "1,54.8,39,0.3,10.96,12.7,0.3,1500,5\n1,54.8,40,0.3,43.84,35.7,0.3,1501,5\n"
+             "2,54.8,39,0.3,10.96,12.7,0.3,1500,5\n2,54.8,40,0.3,43.84,35.7,0.3,1501,5\n");
+    check_errors(state, RING, "locus: lab.csv, number: rho_b", (double[]){2.5}, 1);
 }
 
 static void a_table_is_warned_of_once(void **state)
@@ -205,7 +252,9 @@ int main(void)
         TEST(a_smaller_error_of_the_plan_does_not_silence),
         TEST(rows_that_are_no_targets_do_not_count),
         TEST(several_specimens_are_not),
-        TEST(a_preshear_for_each_point_tells_how_specimens_differ),
+        TEST(preshears_are_no_specimens),
+        TEST(an_error_of_the_plan_is_that_of_a_specimen),
+        TEST(stated_errors_are_those_of_preshears),
         TEST(a_table_is_warned_of_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
