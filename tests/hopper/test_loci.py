@@ -11,6 +11,8 @@ from hopper_case import clod
 CASE = "flow_function: {%s}\nwall_friction: {angle: 18 deg, error: 0.5 deg}\n"
 APART = "Errors of one yield locus (sigma_1, f_c, phi_e, phi_t) are drawn independently in %d of 2 rows"
 TOGETHER = "Errors of one yield locus (sigma_1, f_c, phi_e, phi_t) are drawn together."
+ONE = "Yield loci: errors of one specimen: scatter between specimens not included."
+JENIKE = ONE.replace(".", ", unless each point has its own, as in a Jenike tester.")
 HEAD = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_e_error [deg],rho_b [kg/m3],correlation_f_c_phi_e [%s]\n"
 
 
@@ -43,16 +45,31 @@ class Joint(hopper_case.Case):
     def told(self):
         return " ".join(self.hopper("case.yaml").stdout.split())
 
+    def test_specimens_are_what_the_seed_numbers(self):
+        """Of a preshear for each point nothing tells whether a specimen belongs to it, but a seed does; so it is in a table of loci."""
+        self.points()
+        with open(self.path("points.csv")) as file:
+            head, *rows = file.read().splitlines()
+        self.write("case.yaml", CASE % "shear_tests: [{points: points.csv}]")
+        for seeds, told in (("1", [ONE]), ("12", [])):
+            self.write("points.csv", f"seed,{head}\n" + "".join(f"{seed},{row}\n" for seed in seeds for row in rows))
+            self.assertEqual([text for text in self.found()["warnings"] if "errors of one specimen" in text], told)
+        self.write("table.csv", clod.run("locus", "points.csv", "--csv", cwd=self.folder).stdout)
+        self.write("case.yaml", CASE % "file: table.csv")
+        self.assertEqual([text for text in self.found()["warnings"] if "errors of one specimen" in text], [])
+
     def test_a_table_of_loci_gives_the_intervals_of_its_points(self):
         """To the ten digits of the table; without the correlations others."""
         table = self.points()
         self.write("case.yaml", CASE % "shear_tests: [{points: points.csv}]")
         points = self.found()
         self.assertIn(TOGETHER, self.told())
+        self.assertIn(JENIKE, points["warnings"])
         self.write("table.csv", table)
         self.write("case.yaml", CASE % "file: table.csv")
         loci = self.found()
         self.assertIn(TOGETHER, self.told())
+        self.assertIn(JENIKE, loci["warnings"])
         lines = [line.split(",") for line in table.splitlines()]
         self.assertEqual([cell.split(" ")[0] for cell in lines[0][-6:]], [
             "correlation_" + pair for pair in ("sigma_1_sigma_c", "sigma_1_phi_e", "sigma_1_phi_lin",
