@@ -10,6 +10,7 @@
 #define MOST_DIGITS 5 ///< behind the point
 #define LEAST 1e-6    ///< of the value: an error below is none
 #define MOST_PLACES 6 ///< of a value whose error is far smaller
+#define MOST_ZEROS 3  ///< before the first digit of a number below 1, as in 0.0012
 
 /** Power of ten of the first digit, after rounding to so many. */
 static int power_of(double number, int digits)
@@ -39,7 +40,7 @@ clod_rounded clod_rounded_of(double value, double error, int digits)
     const double larger = fmax(fabs(value), error);
     const int first = power_of(larger, MOST_PLACES);
     how.digits = how.digits > MOST_PLACES - 1 - first ? MOST_PLACES - 1 - first : how.digits;
-    if (how.digits > MOST_DIGITS || how.digits < -MOST_DIGITS) {
+    if ((how.digits > MOST_DIGITS && first < -MOST_ZEROS) || how.digits < -MOST_DIGITS) {
         how.power = first;
         how.digits += first;
     }

@@ -38,6 +38,11 @@ static void a_value_ends_with_the_second_digit_of_its_error(void **state)
         {-0.0001, 0.4, (double)NAN, "0.00 <small>&plusmn; 0.40</small>"},
         {1.234e-7, 3.04e-8, (double)NAN, "1.23e-7 <small>&plusmn; 0.30e-7</small>"},
         {28.1592657, 7.054e-5, (double)NAN, "28.1593 <small>&plusmn; 0.0001</small>"},
+        {0.2999842, 9.8e-7, (double)NAN, "0.299984 <small>&plusmn; 0.000001</small>"},
+        {0.0749817, 3.1e-7, 6.2e-7,
+         "0.0749817 <small>&plusmn; 0.0000003</small> <small>(s 0.0000006)</small>"},
+        {0.0012345, 2.1e-6, (double)NAN, "0.0012345 <small>&plusmn; 0.0000021</small>"},
+        {0.00091234, 2.1e-6, (double)NAN, "9.123e-4 <small>&plusmn; 0.021e-4</small>"},
         {28.1592657, 7.054e-9, (double)NAN, "28.159"}, // no error to look at
         {1.0, 20.0, (double)NAN, "1 <small>&plusmn; 20</small>"},
     };
