@@ -134,7 +134,8 @@ int clod_app_locus(int argc, char **argv)
             "Bulk densities: sigma_1 [kPa], rho_b [kg/m3]; optional sigma_1_error [kPa], "
             "rho_b_error [kg/m3].\n"
             "Angles of repose: angle_of_repose [deg], one row of each heap; optional "
-            "angle_of_repose_error [deg].",
+            "angle_of_repose_error [deg].\n"
+            "seed numbers specimens. Columns point, no, number, remark, comment and note are not read.",
     };
     request self = {.write = clod_measured_table};
     if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {

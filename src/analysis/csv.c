@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/assert.h"
 #include "base/input.h"
@@ -52,8 +53,17 @@ static size_t drop_empty(char *const cells[CLOD_CSV_COLUMNS], size_t count, size
     return count;
 }
 
+/** Columns of reports that tell nothing of the solid, in small or capital letters. */
+static const char *const REMARKS[] = {"point",   "no",      "no.",      "number", "remark",
+                                      "remarks", "comment", "comments", "note",   "notes"};
+
 static bool is_skipped(const clod_csv_kind *kind, const char *name)
 {
+    for (size_t i = 0; i < sizeof REMARKS / sizeof REMARKS[0]; i++) {
+        if (strcasecmp(REMARKS[i], name) == 0) {
+            return true;
+        }
+    }
     for (size_t i = 0; kind->skipped != NULL && kind->skipped[i] != NULL; i++) {
         if (strcmp(kind->skipped[i], name) == 0) {
             return true;

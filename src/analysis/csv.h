@@ -2,7 +2,7 @@
 /**
  * @file csv.h
  * Tables of measured values from CSV files: `,` `;` or tab, units in the header, `#` for comments. Empty cells
- * behind the last column are none.
+ * behind the last column are none, and columns such as point or remark are not read.
  * What the columns mean says the caller; errors name file, line and column.
  */
 
@@ -38,7 +38,7 @@ typedef struct clod_csv_kind {
     const char *example;            ///< a header
     const char *item;               ///< what a row is: "shear point"
     const size_t *line; ///< where in a row the number of its line goes, a size_t; NULL: nowhere
-    const char *const *skipped; ///< columns that are not read, ended by NULL; NULL: none
+    const char *const *skipped; ///< more columns that are not read, ended by NULL; NULL: none
     bool (*check_header)(const clod_csv *self); ///< NULL: nothing more to check
     bool (*check_row)(const clod_csv *self, const void *row);
 } clod_csv_kind;

@@ -268,6 +268,20 @@ static void densities_that_may_be(void **state)
     clod_locus_free(points);
 }
 
+// As laboratories number their points and remark on them; whatever stands there.
+static void remarks_are_not_read(void **state)
+{
+    (void)state;
+    clod_locus_point *points;
+    assert_int_equal(parse_good("Point,No.,Remarks," HEAD "1,a,\"moist\",10,8.5,2,3.4\n"
+                                "2,b,,10,8.4,4,4.4\n",
+                                &NONE, &points),
+                     2);
+    assert_near(points[1].tau_p, 8.4e3, 1e-15);
+    assert_near(points[1].tau_s, 4.4e3, 1e-15);
+    clod_locus_free(points);
+}
+
 static void wrong_defaults(void **state)
 {
     (void)state;
@@ -335,6 +349,7 @@ int main(void)
         cmocka_unit_test(empty_columns_at_the_end_are_none),
         cmocka_unit_test(wrong_densities),
         cmocka_unit_test(densities_that_may_be),
+        cmocka_unit_test(remarks_are_not_read),
         cmocka_unit_test(wrong_defaults),
         cmocka_unit_test(defaults_that_no_row_needs),
         cmocka_unit_test(one_is_no_plural),
