@@ -150,6 +150,14 @@ static void put_noise_ends(FILE *out, const clod_plan_target *of,
     fprintf(out, " %18s", both);
 }
 
+/** A text within single quotes, in which a shell takes everything else as it is. */
+static void put_quoted(FILE *out, const char *text)
+{
+    for (; *text != '\0'; text++) {
+        fputs(*text == '\'' ? "'\\''" : (char[]){*text, '\0'}, out);
+    }
+}
+
 /** Commands that run the tests with the card. A file that a case includes itself would be dropped by --set include. */
 static void put_commands(FILE *out, const clod_plan *plan)
 {
@@ -167,13 +175,17 @@ static void put_commands(FILE *out, const clod_plan *plan)
                 "  into FOLDER/card-%s.yaml)\n",
                 test->name, own, test->name);
         }
-        fprintf(out, "  clod run \"%s\"", test->path);
+        fputs("  clod run '", out);
+        put_quoted(out, test->path);
+        fputs("'", out);
         for (size_t k = 0; k < test->set_count; k++) {
             if (strcmp(test->set[k].key, "include") != 0) {
-                fprintf(out, " --set \"%s=%s\"", test->set[k].key, test->set[k].value);
+                fprintf(out, " --set '%s=", test->set[k].key);
+                put_quoted(out, test->set[k].value);
+                fputs("'", out);
             }
         }
-        fprintf(out, " --set \"include=FOLDER/card%s%s.yaml\" -o \"FOLDER/card-%s\"\n",
+        fprintf(out, " --set 'include=FOLDER/card%s%s.yaml' -o 'FOLDER/card-%s'\n",
                 own != NULL ? "-" : "", own != NULL ? test->name : "", test->name);
     }
 }

@@ -2,8 +2,8 @@
 
 import json
 import os
-import shlex
 import shutil
+import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -14,6 +14,7 @@ import clod
 WITH = {"density": "2500 kg/m3", "soften": "1", "law": "hooke", "exponent": "1", "k1": "100000 N/m", "friction": "0",
         "coulomb": "adhesive", "tangential": "tangent", "rolling": "none"}
 MISSES = "the included card misses "
+NAME = "it's a \"$HOME\" `bounce`.yaml" # a file of a user who does not know shells
 DIFFERS = "the included card was calibrated with another solid than ore is here: "
 
 
@@ -59,6 +60,11 @@ class Card(bounce.Bounce):
         with open(self.path("one/case-complete.yaml")) as file:
             self.assertNotIn("calibrated_with", file.read())
 
+    def words(self, command):
+        """Arguments of clod in a command of the report, as a shell takes them."""
+        line = command.replace("clod", "printf '%s\\n'", 1).replace("FOLDER", self.path("out"))
+        return subprocess.run(["sh", "-c", line], capture_output=True, text=True, check=True).stdout.splitlines()
+
     def test_card_that_misses_its_targets_is_warned_of(self):
         """Its energy is above that of restitution 0.9, the end of the range."""
         self.calibrate(bounce.PLAN, "--set", f"targets.0.value={bounce.BEFORE:.6g} J", "-o", "out")
@@ -100,7 +106,7 @@ class Card(bounce.Bounce):
         self.assertGreater(self.found()["p_value"], 0.05)
         self.assertIn("Whether the card meets its targets is not told (targets: untold)", " ".join(done.stdout.split()))
         command = next(line for line in done.stdout.split("\n") if line.startswith("  clod run "))
-        arguments = shlex.split(command.replace("FOLDER", self.path("out")))[1:]
+        arguments = self.words(command)
         self.assertEqual(arguments[2:4], ["--set", "contacts.soften=2"])
         run = clod.run(*arguments, "-t", "1", cwd=self.folder)
         self.assertEqual(run.returncode, 0, run.stderr)
@@ -115,9 +121,9 @@ class Card(bounce.Bounce):
             case = file.read()
         self.assertIn(rest, case)
         self.write("rest.yaml", rest)
-        self.write("a bounce.yaml", case.replace(rest, ""))
+        self.write(NAME, case.replace(rest, ""))
         self.write("another.yaml", case.replace(rest, "include: rest.yaml\n"))
-        tests = ("{case: a bounce.yaml, set: {include: rest.yaml}}", "{case: another.yaml}")
+        tests = ("{case: %s, set: {include: rest.yaml}}" % json.dumps(NAME), "{case: another.yaml}")
         for test in tests[:1] if clod.SANITIZED else tests:
             done = self.calibrate(bounce.PLAN.replace("{case: bounce.yaml}", test), "-o", "out")
             lines = done.stdout.split("\n")
@@ -125,7 +131,7 @@ class Card(bounce.Bounce):
             self.assertRegex(" ".join(lines[at - 2 : at]), r"test bounce includes .*rest.yaml, and one file only .* into +FOLDER/card-bounce.yaml")
             with open(self.path("out/card.yaml")) as file:
                 self.write("out/card-bounce.yaml", file.read() + rest)
-            run = clod.run(*shlex.split(lines[at].replace("FOLDER", self.path("out")))[1:], "-t", "1", cwd=self.folder)
+            run = clod.run(*self.words(lines[at]), "-t", "1", cwd=self.folder)
             self.assertEqual(run.returncode, 0, run.stderr)
             with open(self.path("out/card-bounce/case-complete.yaml")) as file:
                 complete = file.read()
