@@ -46,6 +46,17 @@ json_t *clod_json_number(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
+json_t *clod_json_parse(const char *text, size_t length, json_error_t *error)
+{
+    lost = false;
+    json_t *found = json_loadb(text, length, 0, error);
+    if (lost) {
+        json_decref(found);
+        return NULL;
+    }
+    return found;
+}
+
 json_t *clod_json_read(const char *folder, const char *name, clod_status *status)
 {
     char path[PATH_MAX];
@@ -56,15 +67,11 @@ json_t *clod_json_read(const char *folder, const char *name, clod_status *status
         return NULL;
     }
     json_error_t error;
-    lost = false;
-    json_t *found = json_loadb(text, length, 0, &error);
+    json_t *found = clod_json_parse(text, length, &error);
     clod_memory_free(text);
     if (lost) {
-        json_decref(found);
         clod_status_fail(status, CLOD_FAILED, "No memory for %s.", path);
-        return NULL;
-    }
-    if (found == NULL) {
+    } else if (found == NULL) {
         clod_status_fail(status, CLOD_USAGE, "%s:%d: damaged: %s", path, error.line,
                          error.text);
     }

@@ -28,6 +28,15 @@ json_t *clod_json_number(double value);
 bool clod_json_lacks_memory(void);
 
 /**
+ * The value of a text [length]. Without memory jansson may leave out characters and take the rest for whole.
+ *
+ * @param error  [out] where it is damaged; NULL: nobody asks
+ * @return       owned (json_decref); NULL: damaged, or there was no memory, which clod_json_lacks_memory tells
+ * Threads  safe.   Test  tests/faults/test_alloc_faults.py
+ */
+json_t *clod_json_parse(const char *text, size_t length, json_error_t *error);
+
+/**
  * Read a file of a folder that clod wrote.
  *
  * @return  owned (json_decref), NULL with status

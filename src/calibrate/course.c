@@ -2,6 +2,7 @@
 
 #include <jansson.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "output/folder_files.h"
 
@@ -18,7 +19,7 @@ bool clod_course_read(clod_runs *runs, clod_status *status)
     if (text == NULL) {
         return true;
     }
-    json_t *found = json_loadb(text, length, 0, NULL);
+    json_t *found = clod_json_parse(text, length, NULL);
     clod_memory_free(text);
     const json_t *budget = json_object_get(found, "budget_s");
     const json_int_t workers = json_integer_value(json_object_get(found, "workers"));
@@ -27,6 +28,10 @@ bool clod_course_read(clod_runs *runs, clod_status *status)
         runs->counted_workers = (int)workers;
     }
     json_decref(found);
+    if (clod_json_lacks_memory()) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %s/" NAME ".",
+                                runs->folder->path);
+    }
     return good ||
            clod_status_fail(status, CLOD_USAGE,
                             "%s/" NAME ": damaged; remove it, and the budget is counted "

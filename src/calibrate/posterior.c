@@ -81,7 +81,9 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
     if (why.code == CLOD_INTERRUPTED) {
         return clod_stop_fail(status);
     }
-    if (to->surrogate == NULL && plan->targets[number].held_back) { // nothing depends on it
+    const bool memory = why.code == CLOD_FAILED;
+    if (to->surrogate == NULL && plan->targets[number].held_back &&
+        !memory) { // nothing depends on it
         snprintf(to->why, sizeof to->why, "%s", why.text);
         return true;
     }
@@ -95,6 +97,10 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
     to->checked = clod_surrogate_leave_one_out(to->surrogate, runs->stop, &to->check, &why);
     if (why.code == CLOD_INTERRUPTED) {
         return clod_stop_fail(status);
+    }
+    if (why.code == CLOD_FAILED) {
+        return clod_status_fail(status, CLOD_FAILED, "Target %s: %s",
+                                plan->targets[number].name, why.text);
     }
     // those of a used target do not depend on those held back, so that one may be added to runs that are done
     size_t among = 0;

@@ -86,10 +86,13 @@ bool clod_rows_read(const clod_runs *runs, size_t row, clod_runs_row *to, clod_s
     if (!clod_input_read_regular(path, (size_t)1 << 20, &text, &length, status)) {
         return false;
     }
-    json_t *found = json_loadb(text, length, 0, NULL);
+    json_t *found = clod_json_parse(text, length, NULL);
     clod_memory_free(text);
     const bool good = take(found, to);
     json_decref(found);
+    if (clod_json_lacks_memory()) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %s.", path);
+    }
     return good || clod_status_fail(status, CLOD_USAGE,
                                     "%s: damaged; remove it, and the run is done again", path);
 }

@@ -251,7 +251,7 @@ static bool enough(const clod_surrogate_runs *runs, clod_surrogate_kind kind,
     CLOD_ASSERT(runs->dimensions >= 1 && runs->dimensions <= CLOD_SURROGATE_MOST);
     const size_t terms = clod_surrogate_terms(kind, runs->dimensions);
     return (runs->count > terms && clod_surrogate_points(runs) >= terms) ||
-           clod_status_fail(status, CLOD_FAILED,
+           clod_status_fail(status, CLOD_USAGE,
                             "%zu runs at %zu different points are too few for a surrogate with "
                             "%zu coefficients.",
                             runs->count, clod_surrogate_points(runs), terms);
@@ -275,7 +275,7 @@ static clod_surrogate *finish(clod_surrogate *self, bool good, clod_status *stat
 {
     if (!good) {
         clod_surrogate_destroy(&self);
-        clod_status_fail(status, CLOD_FAILED,
+        clod_status_fail(status, CLOD_USAGE,
                          "The runs' points do not tell the coefficients of a surrogate apart.");
     }
     return self;

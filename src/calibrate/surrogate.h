@@ -81,7 +81,7 @@ size_t clod_surrogate_points(const clod_surrogate_runs *runs);
  *
  * @param runs  copied
  * @return      owned (clod_surrogate_destroy), or NULL
- * Errors  CLOD_FAILED: fewer runs than coefficients + 1, or points that do not tell them apart; no
+ * Errors  CLOD_USAGE: fewer runs than coefficients + 1, or points that do not tell them apart; CLOD_FAILED:
  *         memory; CLOD_INTERRUPTED.
  * Threads safe.
  * Source  Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), eq. 2.41 to 2.45,

@@ -148,13 +148,14 @@ static void take(void *context, const clod_summary_cell *cell)
 static json_t *flatten(numbers *all, const clod_run_files *run)
 {
     flattening self = {.all = all, .flat = json_copy((json_t *)run->summary)};
+    // json_copy leaves out what it has no memory for
+    all->lost = all->lost || json_object_size(self.flat) < json_object_size(run->summary);
     clod_field_axes_set(run);
     for (; self.flat != NULL && self.table < CLOD_FREE_TABLE_COUNT; self.table++) {
         json_t *objects = clod_free_tables_of(&CLOD_FREE_TABLES[self.table], run->summary);
         all->more = !clod_summary_tables_each(objects, &self, take) || all->more;
         json_decref(objects);
     }
-    all->lost = all->lost || (run->summary != NULL && self.flat == NULL);
     return self.flat;
 }
 

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "config/yaml.h"
 #include "output/file.h"
@@ -37,9 +38,13 @@ static bool load_summary(clod_run_files *self, clod_status *status)
     if (!load_text(self, "summary.json", &text, status)) {
         return false;
     }
-    self->summary = text != NULL ? json_loads(text, 0, &error) : NULL;
+    self->summary = text != NULL ? clod_json_parse(text, strlen(text), &error) : NULL;
     const bool good = text == NULL || json_is_object(self->summary);
     clod_memory_free(text);
+    if (!good && clod_json_lacks_memory()) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %s/summary.json.",
+                                self->folder);
+    }
     return good ||
            clod_status_fail(status, CLOD_USAGE, "%s/summary.json is damaged: line %d, %s.",
                             self->folder, error.line, error.text);

@@ -38,8 +38,10 @@ static void add_table(clod_figure *figure, const clod_table *table, const char *
 {
     const int at = clod_table_find(table, over);
     const int of = clod_table_find(table, column);
-    double *x = at >= 0 && of >= 0 ? clod_table_numbers(table, at) : NULL;
+    const bool has = at >= 0 && of >= 0;
+    double *x = has ? clod_table_numbers(table, at) : NULL;
     double *y = x != NULL ? clod_table_numbers(table, of) : NULL;
+    figure->lost = figure->lost || (has && y == NULL);
     if (y != NULL) {
         const size_t first = strcmp(over, "time") == 0 ? 0 : clod_figure_begin(x, table->rows);
         set_axis(&figure->x, over, table->units[at]);
