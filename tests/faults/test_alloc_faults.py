@@ -35,14 +35,15 @@ WALL = ["run", clod.source("tests/cli/wall_friction.yaml"), "-o", "run", "-t", "
         *(word for change in ("grain_count=60", "outer_radius=14mm", "block_displacement=0.3mm",
                               "steady_blocks=3", "shear_min=1mm", "shear_max=1.2mm")
           for word in ("--set", f"wall_friction.{change}"))]
-# What differs between two runs: the rate and, of check, the lines that follow from it.
+CALIBRATE = ["calibrate", clod.source("tests/faults/plan.yaml"), "-o", "run"]
+# What differs between two runs: the rate, when a calibration was written, and, of check, the lines that follow from it.
 CLOCK = re.compile(r"[0-9.e+-]+ grain-steps/s|[0-9]+ s of wall-clock time|"
                    r"^(rate|wall-clock|WARNING| .*( with one| free)$).*\n|"
                    r"^ .*(slowest of five|other programs|beside these|while these).*\n|"
-                   r'^  "(rate_(one|per|slow)|wall_clock|machine|processor_share|disk_free).*\n',
+                   r'^  "(rate_(one|per|slow)|wall_clock|machine|processor_share|disk_free|written).*\n',
                    re.M)
-# What check says when there is no memory for the packing that it times: the rest is as ever.
-LEFT_OUT = re.compile(r"are not estimated: .*no memory")
+# What check says when there is no memory for the packing that it times, and calibrate for the summary of a run: the rest is as ever.
+LEFT_OUT = re.compile(r"are not estimated: .*no memory|no summary\.json that can be read: what it warned of is not known")
 TIMED = re.compile(r"(log\.jsonl|report\.html|summary\.json|restart.*_[ab]\.h5|\.clod-lock)$")
 MOST = 2000
 
@@ -80,6 +81,8 @@ VERBS = {
     "locus as CSV": ["locus", "--csv", POINTS, "-o", "locus.csv"],
     "hopper": [*HOPPER, "-o", "design"],
     "hopper as JSON": [*HOPPER, "--json"],
+    "calibrate again": CALIBRATE, # its runs are there: those that it starts would fail, too
+    "compare": ["compare", "run", "other", "-o", "both.html"],
     "mesh": ["mesh", MESH, "--unit=mm", "--grain-radius=3mm"],
     "mesh as JSON": ["mesh", MESH, "--unit=mm", "--json"],
     "verify": ["verify", "chung-ooi-2", "-o", "verify"],
@@ -87,13 +90,15 @@ VERBS = {
 }
 LONG = ("ring shear test", "ring shear test from another", "Jenike test",
         "uniaxial test", "wall friction test")  # up to a second a run
-# The run without faults that goes before, and the folder in which it lies then.
+# The runs without faults that go before, and the folders in which they lie then.
 BEFORE = {
-    "run again": (RUN, "run"),
-    "run afresh": (RUN, "run"),
-    "run from another": (RUN, "before"),
-    "ring shear test from another": (RING, "before"),
-    "uniaxial test again": (UNIAXIAL, "run"),
+    "run again": {"run": RUN},
+    "run afresh": {"run": RUN},
+    "run from another": {"before": RUN},
+    "ring shear test from another": {"before": RING},
+    "uniaxial test again": {"run": UNIAXIAL},
+    "calibrate again": {"run": CALIBRATE},
+    "compare": {"run": RUN, "other": [*RUN, "--set", "seed=2"]},
 }
 LIBRARIES = ("libfyaml", "libudunits2,libexpat", "libhdf5", "libgomp", "libc.")
 # Those that crash by themselves without memory: docs/known-crashes.md says where.
@@ -116,7 +121,7 @@ def without_clock(path):
     if TIMED.match(name):
         return b""
     content = clod.without_folder(*os.path.split(path))
-    return CLOCK.sub("", content.decode()).encode() if name == "report.txt" else content
+    return CLOCK.sub("", content.decode()).encode() if name in ("report.txt", "calibration.json") else content
 
 
 class Fault:
@@ -132,8 +137,7 @@ class Fault:
             shutil.rmtree(self.folder)
 
     def start(self, test):
-        if self.verb in BEFORE:
-            arguments, folder = BEFORE[self.verb]
+        for folder, arguments in BEFORE.get(self.verb, {}).items():
             shutil.copytree(test.complete(arguments), os.path.join(self.folder, folder))
         report = os.path.join(self.folder, "report")
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "LD_PRELOAD": SHIM,
@@ -153,7 +157,7 @@ class Fault:
         self.calls = int(last[0][1]) if last else 0
         self.files = files_of(self.folder)
         self.after = None
-        if self.failed and self.arguments[0] == "run" and self.verb != "wrong case":
+        if self.failed and self.arguments[0] in ("run", "calibrate") and self.verb != "wrong case":
             self.after = subprocess.run([clod.BINARY, *self.arguments], cwd=self.folder,
                                         capture_output=True, text=True, timeout=600)
             self.files_after = files_of(self.folder)
@@ -172,7 +176,7 @@ class Fault:
             by = next((line.split()[0] for line in self.crash if not line.startswith("libc.")), "")
             known = self.whose != "own" and by.startswith(CRASHES)
             return None if known else f"crashed, signal {-self.status}"
-        if self.arguments[0] == "check" and self.status == 0 and LEFT_OUT.search(self.out):
+        if self.arguments[0] in ("check", "calibrate") and self.status == 0 and LEFT_OUT.search(self.out):
             return None # told beside the rest of the report
         if self.status == good.status and self.told_same(good):
             return None if self.files == good.files else "files differ, exit status is the same"
@@ -214,7 +218,7 @@ class AllocFaults(clod.Case):
 
     def complete(self, arguments):
         """The results of a run without faults, which is made once."""
-        at = self.path(os.path.basename(arguments[1]))
+        at = self.path("-".join(os.path.basename(word) for word in arguments))
         with self.lock:
             if not os.path.exists(at):
                 done = subprocess.run([clod.BINARY, *arguments, "-o", at], capture_output=True,
