@@ -117,12 +117,12 @@ class Joint(hopper_case.Case):
         """5 % of Student's t of 2 lie above 2.920, of a normal distribution above 1.645; one error, so small that all is linear in it, and
         intervals are wider by that ratio, 1.775, as far as the samples tell."""
         self.write("case.yaml", "flow_function: {file: table.csv}\nwall_friction: {angle: 18 deg}\n")
-        head = "sigma_1 [kPa],f_c [kPa],%s [kPa],phi_e [deg],rho_b [kg/m3]%s\n"
+        head = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],sigma_1_error [kPa],phi_e [deg],rho_b [kg/m3]%s\n"
         few = "the intervals rest on the scatter of 3 specimens"
-        for error in ("f_c_error", "sigma_1_error"):
+        for error in ("0.01,0", "1e-6,0.01"):
             width = []
             for more, cell, told in (("", "", 0), (",seeds", ",3", 1), (",seeds", ",1", 0), (",seeds", ",1000000000000", 0)):
-                self.write("table.csv", head % (error, more) + f"3,1.2,0.01,45,1250{cell}\n10,2.6,0,45,1350{cell}\n")
+                self.write("table.csv", head % more + f"3,1.2,{error},45,1250{cell}\n10,2.6,1e-6,0,45,1350{cell}\n")
                 found = json.loads(clod.run("hopper", "case.yaml", "--json", "--set", "interval.samples=4000", cwd=self.folder).stdout)
                 outlet = found["cone"]["outlet_m"]
                 width.append(outlet["high"] - outlet["low"])
