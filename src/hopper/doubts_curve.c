@@ -115,9 +115,10 @@ static void warn_misfit(clod_hopper *self)
         &self->warnings,
         "Flow function: the line misses its points by more than their errors tell, most at sigma_1 %.6g kPa, "
         "by %.1f of them: chi-square %.1f, degrees of freedom %zu, p %s. Either it is curved, or errors are larger "
-        "than stated. Errors of the line are taken as %.1f times as large.%s",
+        "than stated. Errors of the line are taken as %.1f times as large%s.%s",
         1e-3 * worst->x, most, misfit->chi_square, misfit->freedom, chance_of(misfit, chance),
-        misfit->stretch, other);
+        misfit->stretch,
+        misfit->specimens == 0 ? ", and drawn from Student's t of these degrees" : "", other);
 }
 
 /** Errors that are stated for a wall, and smaller than its points scatter by: of a curved wall, or of a reading alone. */

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "hopper/line_fit.h"
 
 #define LEAST_ANGLE 0.02 // rad: what a drawn angle is kept within
 #define MOST_ANGLE 1.5
@@ -15,6 +16,7 @@
 #define OF_PART(part) ((uint64_t)(part) << 36) ///< of a row
 #define OF_TEST(test) ((UINT64_C(2) + (uint64_t)(test)) << 44)
 #define OF_LIMIT (UINT64_C(1) << 50)
+#define OF_STRETCH (UINT64_C(1) << 51)
 #define OF_SET(set) ((UINT64_C(1) + (uint64_t)(set)) << 20)
 
 bool clod_draw_init(clod_draw *self, const clod_solid *measured, uint64_t seed)
@@ -150,6 +152,14 @@ static void draw_curve(const clod_draw *self, uint64_t item, const clod_curve *m
     }
 }
 
+/** How far the line of a sample lies off the measured one: misses that chance hardly makes have the scatter that they show. */
+static double stretch_of(const clod_draw *self, uint64_t item)
+{
+    const clod_curve_misfit *misfit = &self->measured->strength.misfit;
+    const bool shown = misfit->specimens == 0 && clod_line_fit_misses(misfit);
+    return misfit->stretch * (shown ? scale_of(self, item, OF_STRETCH, misfit->freedom) : 1.0);
+}
+
 void clod_draw_solid(clod_draw *self, uint64_t item, clod_solid *to)
 {
     const clod_solid *measured = self->measured;
@@ -158,6 +168,7 @@ void clod_draw_solid(clod_draw *self, uint64_t item, clod_solid *to)
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         draw_curve(self, item, &measured->curves[k], &to->curves[k], &draw);
     }
+    to->strength.misfit.stretch = stretch_of(self, item);
     for (size_t i = 0; i < to->phi_e.count; i++) {
         clod_curve_point *point = &to->phi_e.points[i];
         point->y = fmin(MOST_ANGLE, fmax(LEAST_ANGLE, point->y));
