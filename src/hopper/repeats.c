@@ -46,7 +46,11 @@ clod_curve_point clod_repeats_mean(const clod_curve *curve, size_t first, size_t
         y += point->y / n;
         x_error = hypot(x_error, point->x_error / n);
         y_error = hypot(y_error, point->y_error / n);
-        mean.by_line = fmin(mean.by_line, point->by_line);
+        mean.by_line = fmax(mean.by_line, point->by_line);
+        if (point->freedom > 0 && (mean.freedom == 0 || point->freedom < mean.freedom)) {
+            mean.freedom = point->freedom;
+            mean.set = point->set;
+        }
     }
     if (end - first == 1) {
         return mean;

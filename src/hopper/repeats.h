@@ -14,8 +14,8 @@ size_t clod_repeats_end(const clod_curve *curve, size_t first);
 double clod_repeats_scatter(const clod_curve *curve, size_t first, size_t end);
 
 /**
- * The mean of points `first` to before `end`. Its error is that of their errors, or of their scatter, with `freedom` of it,
- * if that is larger; of a single point its own.
+ * The mean of points `first` to before `end`. Its error is that of their errors, with the smallest `freedom` of them, or of their
+ * scatter, with `freedom` of it, if that is larger and no error comes of a line; of a single point its own.
  */
 clod_curve_point clod_repeats_mean(const clod_curve *curve, size_t first, size_t end);
 

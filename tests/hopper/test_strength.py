@@ -132,6 +132,30 @@ class Strength(hopper_case.Case):
         self.assertIn(f"what the 9 points scatter by about their line, {scatter_of(NINE):.3g} kPa", " ".join(found["warnings"]))
         self.assertLess(found["cone"]["outlet_m"]["low"], 0.9 * found["cone"]["outlet_m"]["value"])
 
+    def test_repeats_of_which_some_state_an_error(self):
+        """The mean of an exact one and one off the line by s: s/2, by Student's t of 2 degrees, and nothing of the 0.15 they happen to scatter by."""
+        rows = [(2, 1.0), (2, 1.1), (8, 2.3), (8, 2.6)]
+        points = ("--set", "flow_function.curve=points")
+        s = scatter_of(rows)
+        mixed = [(*row, 0.001 * (k % 2 == 0)) for k, row in enumerate(rows)]
+        found = self.design(mixed, *points, head=HEAD.strip() + ",f_c_error [kPa]\n")
+        for point in found["measured"]["flow_function"]:
+            self.assertAlmostEqual(point["y_error"], 1e3 * math.hypot(s, 0.001) / 2, 3)
+        self.assertEqual(len(self.said(found, f"about their line, {s:.3g} kPa, drawn from Student's t of 2 degrees of freedom")), 1)
+        outlet = json.loads(clod.run("hopper", "case.yaml", "--json", *points, *MANY, cwd=self.folder).stdout)["cone"]["outlet_m"]
+        both = [(2, 1.05), (8, 2.45)]
+        source = random.Random(1)
+        ff = found["cone"]["flow_factor"]["value"]
+        start, slope = line_of(both)
+        ratios = []
+        for _ in range(20000):
+            k = s / 2 * math.sqrt(2 / sum(source.gauss(0, 1) ** 2 for _ in range(2)))
+            a, b = line_of([(x, max(0, y + k * source.gauss(0, 1))) for x, y in both])
+            ratios.append((max(0, a) / (1 - b * ff) if b * ff < 1 else math.inf) / (start / (1 - slope * ff)))
+        ratios.sort()
+        for end, ratio in zip(("low", "high"), (ratios[1000], ratios[-1000])):
+            self.assertAlmostEqual(outlet[end] / outlet["value"], ratio, delta=4 * outlet[end + "_error"] / outlet["value"], msg=end)
+
     def test_stated_errors_of_repeats(self):
         """Of three at 4 kPa: their own, 0.1/sqrt(3), or where their scatter is larger that, 0.3/sqrt(3)."""
         head = HEAD.strip() + ",f_c_error [kPa]\n"
