@@ -8,9 +8,8 @@
 #define SAME_STRESS 0.02 ///< relative: no further apart, two stresses are one
 #define ALIKE                                                                                  \
     0.05 ///< of the mean: what repeats differ by since their stresses are not quite one
-#define UNLIKE                                                                                 \
-    0.25 ///< the same of repeats without errors: more than testers scatter by, some 10 %
-#define RARE 0.05 ///< chance below which repeats differ by more than their errors tell
+#define TESTERS 0.10 ///< of the mean: standard deviation of repeats on most testers
+#define RARE 0.05    ///< chance below which repeats differ by more than chance alone
 
 size_t clod_repeats_end(const clod_curve *curve, size_t first)
 {
@@ -85,22 +84,26 @@ static range range_of(const clod_curve *curve, size_t first, size_t end)
     return self;
 }
 
-/** Chance of so different repeats, or more different ones, by their errors. */
-static double chance_of(const clod_curve *curve, size_t first, size_t end)
+/** Chance of so different repeats, or more different ones, by their errors; of those without, by what testers scatter. */
+static double chance_of(const clod_curve *curve, size_t first, size_t end, bool stated)
 {
+    const double testers = TESTERS * clod_repeats_mean(curve, first, end).y;
     double weights = 0.0, sum = 0.0, chi_square = 0.0;
+    size_t freedom = 0; // of the errors, the fewest
     for (size_t i = first; i < end; i++) {
         const clod_curve_point *point = &curve->points[i];
-        const double weight = 1.0 / (point->y_error * point->y_error);
-        weights += weight;
-        sum += weight * point->y;
+        const double error = stated ? point->y_error : testers;
+        const size_t own = stated ? point->freedom : 0;
+        weights += 1.0 / (error * error);
+        sum += point->y / (error * error);
+        freedom = own > 0 && (freedom == 0 || own < freedom) ? own : freedom;
     }
     for (size_t i = first; i < end; i++) {
         const clod_curve_point *point = &curve->points[i];
-        const double off = (point->y - sum / weights) / point->y_error;
+        const double off = (point->y - sum / weights) / (stated ? point->y_error : testers);
         chi_square += off * off;
     }
-    return clod_chance_above(chi_square, end - first - 1, 0);
+    return clod_chance_above(chi_square, end - first - 1, freedom);
 }
 
 static bool has_spread(const clod_curve *curve, size_t first, size_t end)
@@ -117,8 +120,8 @@ static bool differ(const clod_curve *curve, size_t first, size_t end, const rang
 {
     const double mean = clod_repeats_mean(curve, first, end).y;
     return end - first > 1 && !has_spread(curve, first, end) &&
-           of->most - of->least > (of->stated ? ALIKE : UNLIKE) * mean &&
-           (!of->stated || chance_of(curve, first, end) < RARE);
+           of->most - of->least > ALIKE * mean &&
+           chance_of(curve, first, end, of->stated) < RARE;
 }
 
 void clod_repeats_warn(const clod_curve *curve, clod_warning_list *warnings)

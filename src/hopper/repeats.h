@@ -20,7 +20,8 @@ double clod_repeats_scatter(const clod_curve *curve, size_t first, size_t end);
 clod_curve_point clod_repeats_mean(const clod_curve *curve, size_t first, size_t end);
 
 /**
- * Warn of repeats that differ by more than their errors tell; of those without, by more than a quarter of their mean.
+ * Warn of repeats that differ by more than their errors tell; of those without, by more than a standard deviation of
+ * 10 % of their mean tells. By chi-square (of specimens, Fisher's F), with a chance below 5 %.
  * Errors, threads  as clod_warning_list_add.   Test  tests/hopper/test_strength.py
  */
 void clod_repeats_warn(const clod_curve *curve, clod_warning_list *warnings);

@@ -230,9 +230,20 @@ class Strength(hopper_case.Case):
                              ([(2, 1.0, 0.1), (4, 1.7, 0.1), (4.05, 1.9, 0.1)], "")):  # chi-square 2 of 1, p 0.16
             found = self.design(points, head=head)
             self.assertEqual(len(self.said(found, "2 repeats at a sigma_1 of 4 kPa", told)), 1 if told else 0, points)
+        head = head.strip() + ",seeds\n"  # of three specimens each: t = 0.3/(0.08 sqrt(2)) of 2 degrees, chance 0.12; of 1000 known
+        for seeds in (3, 1000):
+            found = self.design([(2, 1.0, 0.08, seeds), (2, 1.3, 0.08, seeds), (8, 2.5, 0.2, seeds)], head=head)
+            self.assertEqual(len(self.said(found, "2 repeats at a sigma_1 of 2 kPa")), seeds // 1000)
         found = self.design(NINE)
         self.assertEqual(len(self.said(found, "3 repeats at a sigma_1 of 8 kPa have f_c from 2 to 3 kPa", "and so it is at 2 others")), 1)
         self.assertEqual(self.said(found, "falls from"), [])
+
+    def test_a_scatter_of_testers(self):
+        """Three of 1 -+ d have a chi-square of 2 (d/0.1)^2, which is 5.99 of 2 degrees at 0.173; two 5 % below 0.277 apart."""
+        for row, told in (([1, 0.84, 1.16], 0), ([1, 0.82, 1.18], 1), ([0.865, 1.135], 0), ([0.855, 1.145], 1),
+                          ([0.87, 1, 1.01, 1.05, 1.07, 1.15, 0.85, 1], 0)):
+            found = self.design([*((2, y) for y in row), (8, 2.5)])
+            self.assertEqual(len(self.said(found, f"{len(row)} repeats at a sigma_1 of 2 kPa")), told, row)
 
     def test_repeats_do_not_fall(self):
         """The largest at one stress is above the smallest at the next; their means rise, or fall within their errors."""
