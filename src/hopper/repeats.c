@@ -21,7 +21,8 @@ size_t clod_repeats_end(const clod_curve *curve, size_t first)
     return end;
 }
 
-double clod_repeats_scatter(const clod_curve *curve, size_t first, size_t end)
+/** Standard error of the mean of points `first` to before `end` by what they scatter; 0 of a single one. */
+static double scatter_of(const clod_curve *curve, size_t first, size_t end)
 {
     const double n = (double)(end - first);
     double mean = 0.0, scatter = 0.0;
@@ -54,7 +55,7 @@ clod_curve_point clod_repeats_mean(const clod_curve *curve, size_t first, size_t
     if (end - first == 1) {
         return mean;
     }
-    const double scatter = clod_repeats_scatter(curve, first, end);
+    const double scatter = scatter_of(curve, first, end);
     mean.x = x;
     mean.y = y;
     mean.x_error = x_error;

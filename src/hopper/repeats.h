@@ -10,9 +10,6 @@
 /** The first point of the next stress: those no further apart than 2 % have one. @param curve  sorted */
 size_t clod_repeats_end(const clod_curve *curve, size_t first);
 
-/** Standard error of the mean of points `first` to before `end` by what they scatter; 0 of a single one. */
-double clod_repeats_scatter(const clod_curve *curve, size_t first, size_t end);
-
 /**
  * The mean of points `first` to before `end`. Its error is that of their errors, with the smallest `freedom` of them, or of their
  * scatter, with `freedom` of it, if that is larger and no error comes of a line; of a single point its own.

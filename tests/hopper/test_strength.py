@@ -249,7 +249,12 @@ class Strength(hopper_case.Case):
         """The largest at one stress is above the smallest at the next; their means rise, or fall within their errors."""
         for rows in ([(2, 1.2), (2, 0.8), (4, 1.1), (4, 1.3)], [(2, 1.2), (2, 1.0), (4, 0.98), (4, 1.18)]):
             self.assertEqual(self.said(self.design(rows), "falls from"), [])
-        self.assertEqual(len(self.said(self.design([(2, 1.2), (2, 1.22), (4, 0.8), (4, 0.82), (8, 1.6)]), "f_c falls from 1.21 kPa")), 1)
+        for mode in ("line", "points"):
+            way = ("--set", f"flow_function.curve={mode}")
+            self.assertEqual(len(self.said(self.design([(2, 1.2), (2, 1.22), (4, 0.8), (4, 0.82)], *way), "f_c falls from 1.21 kPa")), 1, mode)
+            rows = [(2, 1.0), (2, 1.02), (4, 1.6), (4, 1.62), (6, 1.3), (6, 1.32), (8, 2.6), (8, 2.62)]  # 0.3, of errors of 0.32/sqrt(2)
+            self.assertGreater(2 * scatter_of(rows), 0.3)
+            self.assertEqual(self.said(self.design(rows, *way), "falls from"), [], mode)
 
     def test_the_number_of_a_specimen(self):
         self.design([(*point, 101) for point in NINE], head=HEAD.strip() + ",seed\n")
