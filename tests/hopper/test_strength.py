@@ -179,7 +179,8 @@ class Strength(hopper_case.Case):
         share = found["cone"]["sample_shares"]["funnel_flow"]
         self.assertGreater(share, 0.05)
         self.assertLess(share, 0.95)
-        self.assertEqual(len(self.said(found, "Cone: mass flow is what the means", f"{100 * share:.1f} % in funnel flow")), 1)
+        self.assertEqual(len(self.said(found, "Cone: mass flow is what the means", f"Samples: {100 * share:.1f} % in funnel flow; of the others it "
+                                              "is not known whether they flow: nothing tells the errors of the flow function.")), 1)
 
     def test_tables_and_pages_print_a_dash(self):
         self.design(TWO)
