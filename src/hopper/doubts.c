@@ -295,22 +295,27 @@ static void warn_rathole(clod_hopper *self)
     }
 }
 
-/** Few specimens, whose scatter is hardly known. */
-static void warn_few(clod_hopper *self, const char *test, const clod_curve *curve)
+/** Few specimens or repeats, whose scatter is hardly known, where it is that of intervals. */
+static void warn_few(clod_hopper *self, const char *loci, const char *table,
+                     const clod_curve *curve)
 {
-    const bool repeats = curve->specimens == 0 && curve->test == CLOD_CURVE_WALL;
-    const char *what = repeats ? "repeats" : "specimens";
     size_t least = 0;
-    for (size_t i = 0; i < curve->count; i++) {
-        const size_t freedom = curve->points[i].by_line > 0.0 ? 0 : curve->points[i].freedom;
-        least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
+    bool repeats = false;
+    for (size_t i = 0; i < curve->count && clod_curve_has_errors(curve); i++) {
+        const clod_curve_point *point = &curve->points[i];
+        const size_t freedom = point->by_line > 0.0 ? 0 : point->freedom;
+        if (freedom > 0 && (least == 0 || freedom < least)) {
+            least = freedom;
+            repeats = curve->specimens == 0 && !point->unsure;
+        }
     }
+    const char *what = repeats ? "repeats" : "specimens";
     if (least > 0 && least < FEW) {
         clod_warning_list_add(
             &self->warnings,
             "%s: the intervals rest on the scatter of %zu %s, which tells little of how %s differ: "
             "they are drawn from Student's t of %zu degree%s of freedom. More %s make them narrower.",
-            test, least + 1, what, what, least, least == 1 ? "" : "s", what);
+            repeats ? table : loci, least + 1, what, what, least, least == 1 ? "" : "s", what);
     }
 }
 
@@ -324,8 +329,11 @@ void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes)
     clod_doubts_looser(self);
     warn_rathole(self);
     warn_errors(self, notes->preshear_untold);
-    warn_few(self, "Yield loci", &self->solid.strength);
-    warn_few(self, "Wall yield locus", &self->solid.wall);
+    warn_few(self, "Yield loci",
+             self->from.strength.after_storage != NULL ? "Flow function after storage"
+                                                       : "Flow function",
+             &self->solid.strength);
+    warn_few(self, "Wall yield locus", "Wall yield locus", &self->solid.wall);
     warn_by_line(
         self, &self->solid.strength, "Flow function",
         self->from.strength.file != NULL

@@ -239,6 +239,18 @@ class Strength(hopper_case.Case):
         self.assertEqual(len(self.said(found, "3 repeats at a sigma_1 of 8 kPa have f_c from 2 to 3 kPa", "and so it is at 2 others")), 1)
         self.assertEqual(self.said(found, "falls from"), [])
 
+    def test_few_repeats_are_no_specimens(self):
+        words = "the intervals rest on the scatter of 2"
+        points = ("--set", "flow_function.curve=points")
+        head = HEAD.strip() + ",f_c_error [kPa]\n"
+        rows = [(2, 1.0, 0.01), (2, 1.1, 0.01), (8, 2.3, 0.01), (8, 2.5, 0.01)]
+        said, = self.said(self.design(rows, *points, head=head), words)
+        self.assertTrue(said.startswith(f"Flow function: {words} repeats, "), said)
+        head = head.strip() + ",seeds\n"
+        said, = self.said(self.design([(2, 1.0, 0.1, 2), (8, 2.4, 0.1, 2)], head=head), words)
+        self.assertTrue(said.startswith(f"Yield loci: {words} specimens, "), said)
+        self.assertEqual(self.said(self.design([(2, 1.0, 0.1, 2), (8, 2.4, 0, 2)], head=head), words), [])  # without intervals
+
     def test_a_scatter_of_testers(self):
         """Three of 1 -+ d have a chi-square of 2 (d/0.1)^2, which is 5.99 of 2 degrees at 0.173; two 5 % below 0.277 apart."""
         for row, told in (([1, 0.84, 1.16], 0), ([1, 0.82, 1.18], 1), ([0.865, 1.135], 0), ([0.855, 1.145], 1),
