@@ -125,7 +125,7 @@ static bool differ(const clod_curve *curve, size_t first, size_t end, const rang
            chance_of(curve, first, end, of->stated) < RARE;
 }
 
-void clod_repeats_warn(const clod_curve *curve, clod_warning_list *warnings)
+void clod_repeats_warn(const clod_curve *curve, const char *what, clod_warning_list *warnings)
 {
     size_t stresses = 0, count = 0;
     double at = 0.0;
@@ -149,9 +149,9 @@ void clod_repeats_warn(const clod_curve *curve, clod_warning_list *warnings)
     if (stresses > 0) {
         clod_warning_list_add(
             warnings,
-            "Flow function: %zu repeats at a sigma_1 of %.6g kPa have f_c from %.6g to %.6g kPa, which is more than "
+            "%s: %zu repeats at a sigma_1 of %.6g kPa have f_c from %.6g to %.6g kPa, which is more than "
             "%s%s. Is one of another sample, moisture or time at rest, or misprinted?",
-            count, 1e-3 * at, 1e-3 * worst.least, 1e-3 * worst.most,
+            what, count, 1e-3 * at, 1e-3 * worst.least, 1e-3 * worst.most,
             worst.stated ? "their errors tell" : "testers scatter by, some 10 %", others);
     }
 }

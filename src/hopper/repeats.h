@@ -19,9 +19,11 @@ clod_curve_point clod_repeats_mean(const clod_curve *curve, size_t first, size_t
 /**
  * Warn of repeats that differ by more than their errors tell; of those without, by more than a standard deviation of
  * 10 % of their mean tells. By chi-square (of specimens, Fisher's F), with a chance below 5 %.
+ *
+ * @param what  whose repeats: "Flow function"
  * Errors, threads  as clod_warning_list_add.   Test  tests/hopper/test_strength.py
  */
-void clod_repeats_warn(const clod_curve *curve, clod_warning_list *warnings);
+void clod_repeats_warn(const clod_curve *curve, const char *what, clod_warning_list *warnings);
 
 /** Put the mean of repeats in their place; those that specimens move stay apart. @param curve  [in, out] sorted */
 void clod_repeats_pool(clod_curve *curve);

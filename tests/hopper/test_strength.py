@@ -207,7 +207,23 @@ class Strength(hopper_case.Case):
         said, = self.said(self.design(TWO, case=case), "points without an error get")
         self.assertIn(f"what the 4 points scatter by about their line, {scatter_of(stored):.3g} kPa", said)
         self.write("stored.csv", HEAD + "2,1.6\n8,4.0\n8,6.0\n")
-        self.assertEqual(len(self.said(self.design(NINE, case=case), "2 repeats at a sigma_1 of 8 kPa have f_c from 4 to 6 kPa")), 1)
+        found = self.design(NINE, case=case)
+        self.assertEqual(len(self.said(found, "Flow function after storage: 2 repeats at a sigma_1 of 8 kPa have f_c from 4 to 6 kPa")), 1)
+        self.assertEqual(len(self.said(found, "Flow function: 3 repeats at a sigma_1 of 8 kPa")), 1)
+        self.write("stored.csv", HEAD.strip() + ",strain_at_peak [1]\n2,1.6,0.1\n8,4.0,0.1\n")
+        self.assertEqual(len(self.said(self.design(NINE, case=case), "Flow function after storage: ", "stored.csv has columns of a uniaxial test")), 1)
+
+    def test_repeats_after_storage_are_not_weaker(self):
+        """Their mean is that without storage, or lies further below than twice all errors."""
+        case = CASE.replace("flow.csv", "flow.csv, after_storage: stored.csv")
+        words = "No solid gets weaker by storage"
+        for way in ("line", "points"):
+            for low, high, told in ((0.9, 1.1, 0), (0.7, 0.72, 1)):
+                self.write("stored.csv", HEAD.strip() + f",f_c_error [kPa]\n2,{low},0.01\n2,{high},0.01\n8,2.6,0.01\n")
+                found = self.design([(2, 1.0, 0.01), (8, 2.5, 0.01)], "--set", f"flow_function.curve={way}", head=HEAD.strip() + ",f_c_error [kPa]\n", case=case)
+                self.assertEqual(len(self.said(found, words)), told, (way, low))
+        self.write("stored.csv", HEAD + "2,0.9\n4,1.4\n8,2.6\n")  # by 0.1 and 0.2, of a scatter of 0.3
+        self.assertEqual(self.said(self.design(NINE, case=case), words), [])
 
     def test_yield_loci_of_two_points(self):
         """Two of them tell nothing; three scatter about a line of strengths."""
