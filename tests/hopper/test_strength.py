@@ -168,10 +168,19 @@ class Strength(hopper_case.Case):
             self.assertAlmostEqual(point["y_error"], error, 3)
 
     def test_nothing_tells_an_error(self):
-        for points in (TWO, [(2, 1.0), (4, 1.5), (8, 2.5)]):  # three on a line
+        for points, advice in ((TWO, "Give f_c_error, or strengths at three consolidation stresses or more"),
+                               ([(2, 1.0), (4, 1.5), (8, 2.5)], "lie on a line to the last digit, as fitted, not as measured")):
             found = self.design(points)
             self.is_untold(found)
+            self.assertEqual(len(self.said(found, UNKNOWN, advice)), 1)
             self.assertEqual(found["cone"]["sample_shares"]["funnel_flow"], 0)  # which the wall decides
+
+    def test_a_wall_on_a_line_to_the_last_digit(self):
+        for rows, advice in (("2,0.8\n8,2.5\n", "Give tau_w_error, or points at three normal stresses or more"),
+                             ("2,1\n4,1.5\n8,2.5\n", "lie on a line to the last digit, as fitted, not as measured: give what was measured, or tau_w_error.")):
+            self.write("wall.csv", "sigma_w [kPa],tau_w [kPa]\n" + rows)
+            found = self.design(NINE, case=CASE.replace("{angle: 20 deg}", "{file: wall.csv}"))
+            self.assertEqual(len(self.said(found, "How far the limit of mass flow may be off is not known", advice)), 1, rows)
 
     def test_a_rough_wall_is_told_all_the_same(self):
         """Of 100 samples with a wall of 32 +- 4 deg some have no mass flow."""
