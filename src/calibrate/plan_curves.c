@@ -227,7 +227,8 @@ static bool make_flow(maker *self, size_t test, const clod_number *kind, clod_st
 {
     clod_solid solid = {0};
     const bool strength = strcmp(kind->key, "sigma_c") == 0;
-    const bool good = clod_tables_read_flow(self->wish->locus, &solid, status);
+    clod_tables_notes notes = {0};
+    const bool good = clod_tables_read_flow(self->wish->locus, &solid, &notes, status);
     if (good) {
         make_targets(self, test, kind, strength ? &solid.strength : &solid.rho,
                      strength ? "sigma_c_error" : "rho_b_error");

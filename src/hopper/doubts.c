@@ -150,6 +150,15 @@ static size_t list_unsure(const clod_hopper *self, char text[32])
     return count;
 }
 
+/** Whether three points or more, at several stresses, tell no error: they lie on their line to the last digit. */
+static bool is_exact_line(const clod_curve *curve)
+{
+    return curve->count > 2 && curve->points[curve->count - 1].x > curve->points[0].x;
+}
+
+#define EXACT_LINE                                                                             \
+    "Its points lie on a line to the last digit, as fitted, not as measured: give what was measured"
+
 /** Limits of mass flow whose interval nobody knows, since the wall has no errors. */
 static void warn_no_interval(clod_hopper *self)
 {
@@ -177,11 +186,12 @@ static void warn_no_interval(clod_hopper *self)
     clod_warning_list_add(
         &self->warnings,
         "How far the limit of mass flow may be off is not known, since wall friction has no errors, or not at all "
-        "points: %s.%s Give %s.",
+        "points: %s.%s %s.",
         ANGLES[count], given,
-        self->from.wall.file == NULL
-            ? "the key error of wall_friction"
-            : "tau_w_error, or points at three normal stresses or more: their scatter about "
+        self->from.wall.file == NULL ? "Give the key error of wall_friction"
+        : is_exact_line(wall)
+            ? EXACT_LINE ", or tau_w_error"
+            : "Give tau_w_error, or points at three normal stresses or more: their scatter about "
               "a line tells it");
 }
 
@@ -204,6 +214,20 @@ static void warn_by_line(clod_hopper *self, const clod_curve *curve, const char 
     }
 }
 
+/** What would tell the errors of the flow function. */
+static const char *strength_advice(const clod_hopper *self)
+{
+    const bool table = self->from.strength.file != NULL;
+    if (is_exact_line(&self->solid.strength)) {
+        return table ? EXACT_LINE ", or f_c_error" : EXACT_LINE;
+    }
+    return table
+               ? "Give f_c_error, or strengths at three consolidation stresses or more, or repeats: "
+                 "their scatter about a line tells it"
+               : "Give three shear points or more to each yield locus, or yield loci at three "
+                 "consolidation stresses or more: their scatter about a line tells it";
+}
+
 /** Outlets whose interval nobody knows, since the flow function has no errors. */
 static void warn_no_outlet(clod_hopper *self)
 {
@@ -213,11 +237,8 @@ static void warn_no_outlet(clod_hopper *self)
             "How much wider than the critical outlet, or the rathole, to build is not known, since the flow function "
             "has no errors, or not at all points: critical outlet, rathole and stress over strength have no "
             "interval, shares of the samples but those of funnel flow are not known, and other intervals leave that "
-            "out. Give %s: their scatter about a line tells it.",
-            self->from.strength.file != NULL
-                ? "f_c_error, or strengths at three consolidation stresses or more, or repeats"
-                : "three shear points or more to each yield locus, or yield loci at three consolidation stresses "
-                  "or more");
+            "out. %s.",
+            strength_advice(self));
     }
 }
 
@@ -295,22 +316,27 @@ static void warn_rathole(clod_hopper *self)
     }
 }
 
-/** Few specimens, whose scatter is hardly known. */
-static void warn_few(clod_hopper *self, const char *test, const clod_curve *curve)
+/** Few specimens or repeats, whose scatter is hardly known, where it is that of intervals. */
+static void warn_few(clod_hopper *self, const char *loci, const char *table,
+                     const clod_curve *curve)
 {
-    const bool repeats = curve->specimens == 0 && curve->test == CLOD_CURVE_WALL;
-    const char *what = repeats ? "repeats" : "specimens";
     size_t least = 0;
-    for (size_t i = 0; i < curve->count; i++) {
-        const size_t freedom = curve->points[i].by_line > 0.0 ? 0 : curve->points[i].freedom;
-        least = freedom > 0 && (least == 0 || freedom < least) ? freedom : least;
+    bool repeats = false;
+    for (size_t i = 0; i < curve->count && clod_curve_has_errors(curve); i++) {
+        const clod_curve_point *point = &curve->points[i];
+        const size_t freedom = point->by_line > 0.0 ? 0 : point->freedom;
+        if (freedom > 0 && (least == 0 || freedom < least)) {
+            least = freedom;
+            repeats = curve->specimens == 0 && !point->unsure;
+        }
     }
+    const char *what = repeats ? "repeats" : "specimens";
     if (least > 0 && least < FEW) {
         clod_warning_list_add(
             &self->warnings,
             "%s: the intervals rest on the scatter of %zu %s, which tells little of how %s differ: "
             "they are drawn from Student's t of %zu degree%s of freedom. More %s make them narrower.",
-            test, least + 1, what, what, least, least == 1 ? "" : "s", what);
+            repeats ? table : loci, least + 1, what, what, least, least == 1 ? "" : "s", what);
     }
 }
 
@@ -324,8 +350,11 @@ void clod_doubts_warn(clod_hopper *self, const clod_tables_notes *notes)
     clod_doubts_looser(self);
     warn_rathole(self);
     warn_errors(self, notes->preshear_untold);
-    warn_few(self, "Yield loci", &self->solid.strength);
-    warn_few(self, "Wall yield locus", &self->solid.wall);
+    warn_few(self, "Yield loci",
+             self->from.strength.after_storage != NULL ? "Flow function after storage"
+                                                       : "Flow function",
+             &self->solid.strength);
+    warn_few(self, "Wall yield locus", "Wall yield locus", &self->solid.wall);
     warn_by_line(
         self, &self->solid.strength, "Flow function",
         self->from.strength.file != NULL

@@ -193,22 +193,14 @@ typedef struct falling {
     const char *weaker;
 } falling;
 
-/** The property at one stress, by all repeats, with the error that is stated or that they tell. */
-static clod_curve_point property_at(const clod_curve *curve, size_t first, size_t end)
-{
-    clod_curve_point mean = clod_repeats_mean(curve, first, end);
-    mean.y_error = fmax(clod_curve_stated(&mean), clod_repeats_scatter(curve, first, end));
-    return mean;
-}
-
 /** Stresses from which a property that consolidation raises falls to the next, by more than its errors. */
 static void warn_falls(clod_hopper *self, const clod_curve *curve, const falling *of)
 {
     size_t next = clod_repeats_end(curve, 0);
-    clod_curve_point p = property_at(curve, 0, next), q;
+    clod_curve_point p = clod_repeats_mean(curve, 0, next), q;
     for (size_t first = next; first < curve->count; first = next, p = q) {
         next = clod_repeats_end(curve, first);
-        q = property_at(curve, first, next);
+        q = clod_repeats_mean(curve, first, next);
         const double error = hypot(p.y_error, q.y_error);
         if (p.y - q.y > fmax(FIRM * error, CLOD_DOUBTS_APART * p.y)) {
             clod_warning_list_add(

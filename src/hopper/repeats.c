@@ -8,9 +8,8 @@
 #define SAME_STRESS 0.02 ///< relative: no further apart, two stresses are one
 #define ALIKE                                                                                  \
     0.05 ///< of the mean: what repeats differ by since their stresses are not quite one
-#define UNLIKE                                                                                 \
-    0.25 ///< the same of repeats without errors: more than testers scatter by, some 10 %
-#define RARE 0.05 ///< chance below which repeats differ by more than their errors tell
+#define TESTERS 0.10 ///< of the mean: standard deviation of repeats on most testers
+#define RARE 0.05    ///< chance below which repeats differ by more than chance alone
 
 size_t clod_repeats_end(const clod_curve *curve, size_t first)
 {
@@ -22,7 +21,8 @@ size_t clod_repeats_end(const clod_curve *curve, size_t first)
     return end;
 }
 
-double clod_repeats_scatter(const clod_curve *curve, size_t first, size_t end)
+/** Standard error of the mean of points `first` to before `end` by what they scatter; 0 of a single one. */
+static double scatter_of(const clod_curve *curve, size_t first, size_t end)
 {
     const double n = (double)(end - first);
     double mean = 0.0, scatter = 0.0;
@@ -46,12 +46,16 @@ clod_curve_point clod_repeats_mean(const clod_curve *curve, size_t first, size_t
         y += point->y / n;
         x_error = hypot(x_error, point->x_error / n);
         y_error = hypot(y_error, point->y_error / n);
-        mean.by_line = fmin(mean.by_line, point->by_line);
+        mean.by_line = fmax(mean.by_line, point->by_line);
+        if (point->freedom > 0 && (mean.freedom == 0 || point->freedom < mean.freedom)) {
+            mean.freedom = point->freedom;
+            mean.set = point->set;
+        }
     }
     if (end - first == 1) {
         return mean;
     }
-    const double scatter = clod_repeats_scatter(curve, first, end);
+    const double scatter = scatter_of(curve, first, end);
     mean.x = x;
     mean.y = y;
     mean.x_error = x_error;
@@ -81,22 +85,26 @@ static range range_of(const clod_curve *curve, size_t first, size_t end)
     return self;
 }
 
-/** Chance of so different repeats, or more different ones, by their errors. */
-static double chance_of(const clod_curve *curve, size_t first, size_t end)
+/** Chance of so different repeats, or more different ones, by their errors; of those without, by what testers scatter. */
+static double chance_of(const clod_curve *curve, size_t first, size_t end, bool stated)
 {
+    const double testers = TESTERS * clod_repeats_mean(curve, first, end).y;
     double weights = 0.0, sum = 0.0, chi_square = 0.0;
+    size_t freedom = 0; // of the errors, the fewest
     for (size_t i = first; i < end; i++) {
         const clod_curve_point *point = &curve->points[i];
-        const double weight = 1.0 / (point->y_error * point->y_error);
-        weights += weight;
-        sum += weight * point->y;
+        const double error = stated ? point->y_error : testers;
+        const size_t own = stated ? point->freedom : 0;
+        weights += 1.0 / (error * error);
+        sum += point->y / (error * error);
+        freedom = own > 0 && (freedom == 0 || own < freedom) ? own : freedom;
     }
     for (size_t i = first; i < end; i++) {
         const clod_curve_point *point = &curve->points[i];
-        const double off = (point->y - sum / weights) / point->y_error;
+        const double off = (point->y - sum / weights) / (stated ? point->y_error : testers);
         chi_square += off * off;
     }
-    return clod_chance_above(chi_square, end - first - 1, 0);
+    return clod_chance_above(chi_square, end - first - 1, freedom);
 }
 
 static bool has_spread(const clod_curve *curve, size_t first, size_t end)
@@ -113,11 +121,11 @@ static bool differ(const clod_curve *curve, size_t first, size_t end, const rang
 {
     const double mean = clod_repeats_mean(curve, first, end).y;
     return end - first > 1 && !has_spread(curve, first, end) &&
-           of->most - of->least > (of->stated ? ALIKE : UNLIKE) * mean &&
-           (!of->stated || chance_of(curve, first, end) < RARE);
+           of->most - of->least > ALIKE * mean &&
+           chance_of(curve, first, end, of->stated) < RARE;
 }
 
-void clod_repeats_warn(const clod_curve *curve, clod_warning_list *warnings)
+void clod_repeats_warn(const clod_curve *curve, const char *what, clod_warning_list *warnings)
 {
     size_t stresses = 0, count = 0;
     double at = 0.0;
@@ -141,9 +149,9 @@ void clod_repeats_warn(const clod_curve *curve, clod_warning_list *warnings)
     if (stresses > 0) {
         clod_warning_list_add(
             warnings,
-            "Flow function: %zu repeats at a sigma_1 of %.6g kPa have f_c from %.6g to %.6g kPa, which is more than "
+            "%s: %zu repeats at a sigma_1 of %.6g kPa have f_c from %.6g to %.6g kPa, which is more than "
             "%s%s. Is one of another sample, moisture or time at rest, or misprinted?",
-            count, 1e-3 * at, 1e-3 * worst.least, 1e-3 * worst.most,
+            what, count, 1e-3 * at, 1e-3 * worst.least, 1e-3 * worst.most,
             worst.stated ? "their errors tell" : "testers scatter by, some 10 %", others);
     }
 }

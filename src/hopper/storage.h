@@ -6,9 +6,9 @@
 
 #include <stdbool.h>
 
-#include "base/warning_list.h"
 #include "clod/status.h"
 #include "hopper/solid.h"
+#include "hopper/tables.h"
 
 /**
  * Read the time flow function: f_c over sigma_1, and phi_t where the table has it, of time yield loci.
@@ -16,10 +16,10 @@
  * arch, not what presses on it.
  *
  * @param solid     [in, out] complete; its strength, and phi_t if the table has it and `phi_t` is true, are replaced
- * @param warnings  of a strength that is smaller after storage
+ * @param notes     [in, out]; of a strength that is smaller after storage, too
  * Errors  CLOD_USAGE with file, line, column, value and what to do; CLOD_FAILED: memory.
  * Threads safe.   Source  Jenike, Bulletin 123 (1964); Schulze, Powders and Bulk Solids (2008), 3.1.5, 10.
  * Test    tests/hopper/test_storage.py
  */
 bool clod_storage_read(const char *path, bool phi_t, clod_solid *solid,
-                       clod_warning_list *warnings, clod_status *status);
+                       clod_tables_notes *notes, clod_status *status);

@@ -228,8 +228,8 @@ static void take_origin(row *at, clod_tables_notes *notes)
         notes->preshear_untold || (at->tau_p > 0.0 && at->tau_p_error == 0.0 && has_errors);
 }
 
-static bool read_flow(const char *path, clod_solid *solid, clod_tables_notes *notes,
-                      clod_status *status)
+bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_tables_notes *notes,
+                           clod_status *status)
 {
     void *rows;
     size_t count;
@@ -240,12 +240,6 @@ static bool read_flow(const char *path, clod_solid *solid, clod_tables_notes *no
     good = good && take_rows(rows, count, solid, status);
     clod_memory_free(rows);
     return good;
-}
-
-bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *status)
-{
-    clod_tables_notes notes = {0};
-    return read_flow(path, solid, &notes, status);
 }
 
 /** Hand the specimens of the shear tests on to the solid, which owns them then. */
@@ -273,7 +267,7 @@ static bool read_strength(const clod_hopper_case *of, clod_solid *solid,
                           clod_tables_notes *notes, clod_status *status)
 {
     if (of->strength.file != NULL) {
-        return read_flow(of->strength.file, solid, notes, status);
+        return clod_tables_read_flow(of->strength.file, solid, notes, status);
     }
     clod_loci loci;
     const bool good = clod_loci_read(of, &loci, notes, status) &&
@@ -386,10 +380,10 @@ static bool read_wall(const clod_hopper_property *from, clod_curve *wall,
     return true;
 }
 
-/** Errors of strengths that state none; and where the curve goes from point to point, one point for repeats. */
-static bool take_scatter(clod_curve *strength, clod_tables_notes *notes, clod_status *status)
+bool clod_tables_take_scatter(clod_curve *strength, const char *what, clod_tables_notes *notes,
+                              clod_status *status)
 {
-    clod_repeats_warn(strength, notes->warnings);
+    clod_repeats_warn(strength, what, notes->warnings);
     const bool good =
         clod_scatter_take(strength) ||
         clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", strength->count);
@@ -406,7 +400,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     if (!clod_table_kind_check(from, status) || !read_strength(from, solid, notes, status)) {
         return false;
     }
-    clod_tables_note_uniaxial(from, notes);
+    clod_tables_note_uniaxial(from->strength.file, "Flow function", notes);
     clod_tables_note_blanks(from, solid, notes);
     clod_tables_note_replaced(from, solid, notes);
     if (!read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
@@ -423,7 +417,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_sort(&solid->curves[k]);
     }
-    if (!take_scatter(&solid->strength, notes, status)) {
+    if (!clod_tables_take_scatter(&solid->strength, "Flow function", notes, status)) {
         return false;
     }
     clod_line_fit_weigh(&solid->strength);
@@ -431,9 +425,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
     if (stored == NULL) {
         return true;
     }
-    const bool good =
-        clod_storage_read(stored, !from->phi_t.present, solid, notes->warnings, status) &&
-        take_scatter(&solid->strength, notes, status);
+    const bool good = clod_storage_read(stored, !from->phi_t.present, solid, notes, status);
     clod_line_fit_weigh(&solid->strength);
     return good;
 }

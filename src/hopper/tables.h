@@ -33,9 +33,21 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
  *
  * @param solid  [in, out] zeros before; owned points (clod_tables_fini) in the order of the table,
  *               also after an error
+ * @param notes  [in, out]
  * Errors, threads, test  as clod_tables_read.
  */
-bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_status *status);
+bool clod_tables_read_flow(const char *path, clod_solid *solid, clod_tables_notes *notes,
+                           clod_status *status);
+
+/**
+ * Give strengths that state no error that of their scatter; where the curve goes from point to point, put one in place of repeats.
+ *
+ * @param strength  [in, out] sorted
+ * @param what      whose repeats are warned of: "Flow function"
+ * Errors  CLOD_FAILED: memory.   Threads safe.   Test  tests/hopper/test_strength.py
+ */
+bool clod_tables_take_scatter(clod_curve *strength, const char *what, clod_tables_notes *notes,
+                              clod_status *status);
 
 /** The same of bulk densities: sigma_1 and rho_b; the curve's points are owned (clod_curve_fini). */
 bool clod_tables_read_density(const char *path, clod_curve *curve, clod_status *status);

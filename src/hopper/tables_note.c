@@ -4,15 +4,15 @@
 
 #include "analysis/bulk_density.h"
 
-void clod_tables_note_uniaxial(const clod_hopper_case *from, clod_tables_notes *notes)
+void clod_tables_note_uniaxial(const char *path, const char *what, clod_tables_notes *notes)
 {
     if (notes->uniaxial) {
         clod_warning_list_add(
             notes->warnings,
-            "Flow function: %s has columns of a uniaxial test. Its strength is usually below that of a shear tester at "
+            "%s: %s has columns of a uniaxial test. Its strength is usually below that of a shear tester at "
             "the same sigma_1 (docs/theory/uniaxial.md), to a third in a pair there, so outlets may come out far too "
             "narrow. Design with yield loci of a shear tester.",
-            from->strength.file);
+            what, path);
     }
 }
 

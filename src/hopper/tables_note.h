@@ -6,8 +6,9 @@
 
 #include "hopper/tables.h"
 
-/** Note a flow function of a uniaxial test, whose strengths are those of another test than a design takes. */
-void clod_tables_note_uniaxial(const clod_hopper_case *from, clod_tables_notes *notes);
+/** Note a flow function of a uniaxial test, whose strengths are those of another test than a design takes.
+ *  @param what  "Flow function" */
+void clod_tables_note_uniaxial(const char *path, const char *what, clod_tables_notes *notes);
 
 /** Note a column of the flow function that is empty at the smallest sigma_1, where the design takes it from there. */
 void clod_tables_note_blanks(const clod_hopper_case *from, const clod_solid *solid,

@@ -194,17 +194,23 @@ void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST
         [CLOD_HOPPER_UNPROVEN] = "not known to be mass flow"};
     const char *untold = "";
     if (isnan(found->share[CLOD_HOPPER_FUNNEL])) { // which the wall decides
-        untold = "-: nothing tells the errors of wall friction, or of the limit that is given";
+        untold = "nothing tells the errors of wall friction, or of the limit that is given";
     } else if (isnan(found->share[CLOD_HOPPER_FLOWS])) {
-        untold = "-: nothing tells the errors of the flow function";
+        untold = "nothing tells the errors of the flow function";
     }
-    snprintf(text, CLOD_WORDS_MOST, "%s", untold);
+    text[0] = '\0';
     for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
         if (found->share[k] > 0.0) {
             const size_t used = strlen(text);
             snprintf(text + used, CLOD_WORDS_MOST - used, "%s%.1f %% %s", used > 0 ? ", " : "",
                      100.0 * found->share[k], WORDS[k]);
         }
+    }
+    if (untold[0] != '\0') {
+        const size_t used = strlen(text);
+        snprintf(
+            text + used, CLOD_WORDS_MOST - used, "%s%s",
+            used > 0 ? "; of the others it is not known whether they flow: " : "-: ", untold);
     }
 }
 

@@ -132,6 +132,30 @@ class Strength(hopper_case.Case):
         self.assertIn(f"what the 9 points scatter by about their line, {scatter_of(NINE):.3g} kPa", " ".join(found["warnings"]))
         self.assertLess(found["cone"]["outlet_m"]["low"], 0.9 * found["cone"]["outlet_m"]["value"])
 
+    def test_repeats_of_which_some_state_an_error(self):
+        """The mean of an exact one and one off the line by s: s/2, by Student's t of 2 degrees, and nothing of the 0.15 they happen to scatter by."""
+        rows = [(2, 1.0), (2, 1.1), (8, 2.3), (8, 2.6)]
+        points = ("--set", "flow_function.curve=points")
+        s = scatter_of(rows)
+        mixed = [(*row, 0.001 * (k % 2 == 0)) for k, row in enumerate(rows)]
+        found = self.design(mixed, *points, head=HEAD.strip() + ",f_c_error [kPa]\n")
+        for point in found["measured"]["flow_function"]:
+            self.assertAlmostEqual(point["y_error"], 1e3 * math.hypot(s, 0.001) / 2, 3)
+        self.assertEqual(len(self.said(found, f"about their line, {s:.3g} kPa, drawn from Student's t of 2 degrees of freedom")), 1)
+        outlet = json.loads(clod.run("hopper", "case.yaml", "--json", *points, *MANY, cwd=self.folder).stdout)["cone"]["outlet_m"]
+        both = [(2, 1.05), (8, 2.45)]
+        source = random.Random(1)
+        ff = found["cone"]["flow_factor"]["value"]
+        start, slope = line_of(both)
+        ratios = []
+        for _ in range(20000):
+            k = s / 2 * math.sqrt(2 / sum(source.gauss(0, 1) ** 2 for _ in range(2)))
+            a, b = line_of([(x, max(0, y + k * source.gauss(0, 1))) for x, y in both])
+            ratios.append((max(0, a) / (1 - b * ff) if b * ff < 1 else math.inf) / (start / (1 - slope * ff)))
+        ratios.sort()
+        for end, ratio in zip(("low", "high"), (ratios[1000], ratios[-1000])):
+            self.assertAlmostEqual(outlet[end] / outlet["value"], ratio, delta=4 * outlet[end + "_error"] / outlet["value"], msg=end)
+
     def test_stated_errors_of_repeats(self):
         """Of three at 4 kPa: their own, 0.1/sqrt(3), or where their scatter is larger that, 0.3/sqrt(3)."""
         head = HEAD.strip() + ",f_c_error [kPa]\n"
@@ -144,10 +168,19 @@ class Strength(hopper_case.Case):
             self.assertAlmostEqual(point["y_error"], error, 3)
 
     def test_nothing_tells_an_error(self):
-        for points in (TWO, [(2, 1.0), (4, 1.5), (8, 2.5)]):  # three on a line
+        for points, advice in ((TWO, "Give f_c_error, or strengths at three consolidation stresses or more"),
+                               ([(2, 1.0), (4, 1.5), (8, 2.5)], "lie on a line to the last digit, as fitted, not as measured")):
             found = self.design(points)
             self.is_untold(found)
+            self.assertEqual(len(self.said(found, UNKNOWN, advice)), 1)
             self.assertEqual(found["cone"]["sample_shares"]["funnel_flow"], 0)  # which the wall decides
+
+    def test_a_wall_on_a_line_to_the_last_digit(self):
+        for rows, advice in (("2,0.8\n8,2.5\n", "Give tau_w_error, or points at three normal stresses or more"),
+                             ("2,1\n4,1.5\n8,2.5\n", "lie on a line to the last digit, as fitted, not as measured: give what was measured, or tau_w_error.")):
+            self.write("wall.csv", "sigma_w [kPa],tau_w [kPa]\n" + rows)
+            found = self.design(NINE, case=CASE.replace("{angle: 20 deg}", "{file: wall.csv}"))
+            self.assertEqual(len(self.said(found, "How far the limit of mass flow may be off is not known", advice)), 1, rows)
 
     def test_a_rough_wall_is_told_all_the_same(self):
         """Of 100 samples with a wall of 32 +- 4 deg some have no mass flow."""
@@ -155,7 +188,8 @@ class Strength(hopper_case.Case):
         share = found["cone"]["sample_shares"]["funnel_flow"]
         self.assertGreater(share, 0.05)
         self.assertLess(share, 0.95)
-        self.assertEqual(len(self.said(found, "Cone: mass flow is what the means", f"{100 * share:.1f} % in funnel flow")), 1)
+        self.assertEqual(len(self.said(found, "Cone: mass flow is what the means", f"Samples: {100 * share:.1f} % in funnel flow; of the others it "
+                                              "is not known whether they flow: nothing tells the errors of the flow function.")), 1)
 
     def test_tables_and_pages_print_a_dash(self):
         self.design(TWO)
@@ -182,7 +216,23 @@ class Strength(hopper_case.Case):
         said, = self.said(self.design(TWO, case=case), "points without an error get")
         self.assertIn(f"what the 4 points scatter by about their line, {scatter_of(stored):.3g} kPa", said)
         self.write("stored.csv", HEAD + "2,1.6\n8,4.0\n8,6.0\n")
-        self.assertEqual(len(self.said(self.design(NINE, case=case), "2 repeats at a sigma_1 of 8 kPa have f_c from 4 to 6 kPa")), 1)
+        found = self.design(NINE, case=case)
+        self.assertEqual(len(self.said(found, "Flow function after storage: 2 repeats at a sigma_1 of 8 kPa have f_c from 4 to 6 kPa")), 1)
+        self.assertEqual(len(self.said(found, "Flow function: 3 repeats at a sigma_1 of 8 kPa")), 1)
+        self.write("stored.csv", HEAD.strip() + ",strain_at_peak [1]\n2,1.6,0.1\n8,4.0,0.1\n")
+        self.assertEqual(len(self.said(self.design(NINE, case=case), "Flow function after storage: ", "stored.csv has columns of a uniaxial test")), 1)
+
+    def test_repeats_after_storage_are_not_weaker(self):
+        """Their mean is that without storage, or lies further below than twice all errors."""
+        case = CASE.replace("flow.csv", "flow.csv, after_storage: stored.csv")
+        words = "No solid gets weaker by storage"
+        for way in ("line", "points"):
+            for low, high, told in ((0.9, 1.1, 0), (0.7, 0.72, 1)):
+                self.write("stored.csv", HEAD.strip() + f",f_c_error [kPa]\n2,{low},0.01\n2,{high},0.01\n8,2.6,0.01\n")
+                found = self.design([(2, 1.0, 0.01), (8, 2.5, 0.01)], "--set", f"flow_function.curve={way}", head=HEAD.strip() + ",f_c_error [kPa]\n", case=case)
+                self.assertEqual(len(self.said(found, words)), told, (way, low))
+        self.write("stored.csv", HEAD + "2,0.9\n4,1.4\n8,2.6\n")  # by 0.1 and 0.2, of a scatter of 0.3
+        self.assertEqual(self.said(self.design(NINE, case=case), words), [])
 
     def test_yield_loci_of_two_points(self):
         """Two of them tell nothing; three scatter about a line of strengths."""
@@ -206,15 +256,43 @@ class Strength(hopper_case.Case):
                              ([(2, 1.0, 0.1), (4, 1.7, 0.1), (4.05, 1.9, 0.1)], "")):  # chi-square 2 of 1, p 0.16
             found = self.design(points, head=head)
             self.assertEqual(len(self.said(found, "2 repeats at a sigma_1 of 4 kPa", told)), 1 if told else 0, points)
+        head = head.strip() + ",seeds\n"  # of three specimens each: t = 0.3/(0.08 sqrt(2)) of 2 degrees, chance 0.12; of 1000 known
+        for seeds in (3, 1000):
+            found = self.design([(2, 1.0, 0.08, seeds), (2, 1.3, 0.08, seeds), (8, 2.5, 0.2, seeds)], head=head)
+            self.assertEqual(len(self.said(found, "2 repeats at a sigma_1 of 2 kPa")), seeds // 1000)
         found = self.design(NINE)
         self.assertEqual(len(self.said(found, "3 repeats at a sigma_1 of 8 kPa have f_c from 2 to 3 kPa", "and so it is at 2 others")), 1)
         self.assertEqual(self.said(found, "falls from"), [])
+
+    def test_few_repeats_are_no_specimens(self):
+        words = "the intervals rest on the scatter of 2"
+        points = ("--set", "flow_function.curve=points")
+        head = HEAD.strip() + ",f_c_error [kPa]\n"
+        rows = [(2, 1.0, 0.01), (2, 1.1, 0.01), (8, 2.3, 0.01), (8, 2.5, 0.01)]
+        said, = self.said(self.design(rows, *points, head=head), words)
+        self.assertTrue(said.startswith(f"Flow function: {words} repeats, "), said)
+        head = head.strip() + ",seeds\n"
+        said, = self.said(self.design([(2, 1.0, 0.1, 2), (8, 2.4, 0.1, 2)], head=head), words)
+        self.assertTrue(said.startswith(f"Yield loci: {words} specimens, "), said)
+        self.assertEqual(self.said(self.design([(2, 1.0, 0.1, 2), (8, 2.4, 0, 2)], head=head), words), [])  # without intervals
+
+    def test_a_scatter_of_testers(self):
+        """Three of 1 -+ d have a chi-square of 2 (d/0.1)^2, which is 5.99 of 2 degrees at 0.173; two 5 % below 0.277 apart."""
+        for row, told in (([1, 0.84, 1.16], 0), ([1, 0.82, 1.18], 1), ([0.865, 1.135], 0), ([0.855, 1.145], 1),
+                          ([0.87, 1, 1.01, 1.05, 1.07, 1.15, 0.85, 1], 0)):
+            found = self.design([*((2, y) for y in row), (8, 2.5)])
+            self.assertEqual(len(self.said(found, f"{len(row)} repeats at a sigma_1 of 2 kPa")), told, row)
 
     def test_repeats_do_not_fall(self):
         """The largest at one stress is above the smallest at the next; their means rise, or fall within their errors."""
         for rows in ([(2, 1.2), (2, 0.8), (4, 1.1), (4, 1.3)], [(2, 1.2), (2, 1.0), (4, 0.98), (4, 1.18)]):
             self.assertEqual(self.said(self.design(rows), "falls from"), [])
-        self.assertEqual(len(self.said(self.design([(2, 1.2), (2, 1.22), (4, 0.8), (4, 0.82), (8, 1.6)]), "f_c falls from 1.21 kPa")), 1)
+        for mode in ("line", "points"):
+            way = ("--set", f"flow_function.curve={mode}")
+            self.assertEqual(len(self.said(self.design([(2, 1.2), (2, 1.22), (4, 0.8), (4, 0.82)], *way), "f_c falls from 1.21 kPa")), 1, mode)
+            rows = [(2, 1.0), (2, 1.02), (4, 1.6), (4, 1.62), (6, 1.3), (6, 1.32), (8, 2.6), (8, 2.62)]  # 0.3, of errors of 0.32/sqrt(2)
+            self.assertGreater(2 * scatter_of(rows), 0.3)
+            self.assertEqual(self.said(self.design(rows, *way), "falls from"), [], mode)
 
     def test_the_number_of_a_specimen(self):
         self.design([(*point, 101) for point in NINE], head=HEAD.strip() + ",seed\n")
