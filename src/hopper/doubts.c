@@ -204,7 +204,7 @@ static void warn_by_line(clod_hopper *self, const clod_curve *curve, const char 
         if (p->by_line > 0.0) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s: points without an error get what the %zu points scatter by about their line, "
+                "%s: points without an error, or with a smaller one, get what the %zu points scatter by about their line, "
                 "%.3g kPa, drawn from Student's t of %zu degree%s of freedom: so few tell it roughly. More points, "
                 "or %s narrower.",
                 what, p->freedom + 2, 1e-3 * p->by_line, p->freedom, p->freedom == 1 ? "" : "s",
@@ -236,7 +236,7 @@ static void warn_no_outlet(clod_hopper *self)
             &self->warnings,
             "How much wider than the critical outlet, or the rathole, to build is not known, since the flow function "
             "has no errors, or not at all points: critical outlet, rathole and stress over strength have no "
-            "interval, shares of the samples but those of funnel flow are not known, and other intervals leave that "
+            "interval, shares of the samples, but for that of funnel flow where the wall decides it, are not known, and other intervals leave that "
             "out. %s.",
             strength_advice(self));
     }

@@ -193,8 +193,12 @@ void clod_words_shares(const clod_hopper_found *found, char text[CLOD_WORDS_MOST
         [CLOD_HOPPER_UNSETTLED] = "not settled",
         [CLOD_HOPPER_UNPROVEN] = "not known to be mass flow"};
     const char *untold = "";
-    if (isnan(found->share[CLOD_HOPPER_FUNNEL])) { // which the wall decides
-        untold = "nothing tells the errors of wall friction, or of the limit that is given";
+    if (isnan(
+            found->share
+                [CLOD_HOPPER_FUNNEL])) { // which the wall decides, at a stress that the strength may
+        untold =
+            "nothing tells the errors of wall friction, of the limit that is given, or of the "
+            "flow function";
     } else if (isnan(found->share[CLOD_HOPPER_FLOWS])) {
         untold = "nothing tells the errors of the flow function";
     }
