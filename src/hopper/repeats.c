@@ -4,18 +4,17 @@
 #include <stdio.h>
 
 #include "hopper/chance.h"
+#include "hopper/line_fit.h"
 
-#define SAME_STRESS 0.02 ///< relative: no further apart, two stresses are one
 #define ALIKE                                                                                  \
     0.05 ///< of the mean: what repeats differ by since their stresses are not quite one
 #define TESTERS 0.10 ///< of the mean: standard deviation of repeats on most testers
-#define RARE 0.05    ///< chance below which repeats differ by more than chance alone
 
 size_t clod_repeats_end(const clod_curve *curve, size_t first)
 {
     size_t end = first + 1;
     while (end < curve->count &&
-           curve->points[end].x <= (1.0 + SAME_STRESS) * curve->points[first].x) {
+           curve->points[end].x <= (1.0 + CLOD_REPEATS_APART) * curve->points[first].x) {
         end++;
     }
     return end;
@@ -122,7 +121,7 @@ static bool differ(const clod_curve *curve, size_t first, size_t end, const rang
     const double mean = clod_repeats_mean(curve, first, end).y;
     return end - first > 1 && !has_spread(curve, first, end) &&
            of->most - of->least > ALIKE * mean &&
-           chance_of(curve, first, end, of->stated) < RARE;
+           chance_of(curve, first, end, of->stated) < CLOD_LINE_FIT_RARE;
 }
 
 void clod_repeats_warn(const clod_curve *curve, const char *what, clod_warning_list *warnings)

@@ -7,7 +7,9 @@
 #include "base/warning_list.h"
 #include "hopper/curve.h"
 
-/** The first point of the next stress: those no further apart than 2 % have one. @param curve  sorted */
+#define CLOD_REPEATS_APART 0.02 ///< relative: no further apart, two stresses are one
+
+/** The first point of the next stress: those no further apart than CLOD_REPEATS_APART have one. @param curve  sorted */
 size_t clod_repeats_end(const clod_curve *curve, size_t first);
 
 /**

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "hopper/repeats.h"
 #include "hopper/scatter.h"
 #include "hopper/specimens.h"
 
-#define SAME_STRESS 0.02 ///< relative: no further apart, two normal stresses are one
-#define ASKED 1e-6       ///< the same for those that were asked for, which are exact
+#define ASKED 1e-6 ///< the same for those that were asked for, which are exact
 
 /** A point and what it belongs to. */
 typedef struct item {
@@ -47,7 +47,7 @@ static void fill(set *self, const clod_wall_locus_point *points)
     for (size_t i = 0; i < self->count; i++) {
         asked = asked && points[i].wall_stress > 0.0;
     }
-    self->apart = asked ? ASKED : SAME_STRESS;
+    self->apart = asked ? ASKED : CLOD_REPEATS_APART;
     for (size_t i = 0; i < self->count; i++) {
         const clod_wall_locus_point *p = &points[i];
         self->items[i] = (item){.x = p->sigma,
